@@ -1,0 +1,3 @@
+//! `cargo run -p pinhole`: see [`pinhole::stage`].
+
+fn main() {}

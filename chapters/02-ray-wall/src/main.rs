@@ -1,0 +1,3 @@
+//! `cargo run -p ray-wall`: see [`ray_wall::stage`].
+
+fn main() {}

@@ -1,0 +1,3 @@
+//! `cargo run -p ray-plane`: see [`ray_plane::stage`].
+
+fn main() {}

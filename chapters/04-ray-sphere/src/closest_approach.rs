@@ -1,0 +1,105 @@
+//! House 4.4: walk to the point of closest approach, then back by Pythagoras.
+
+use math::{Degenerate, Ray3, Real, Roots, Span, Vector};
+
+use crate::{Hit3, Sphere};
+
+/// Every number of House's method.
+///
+/// His rays have unit directions, so t is a distance. A direction of any length is made one first;
+/// t then comes back in lengths of the direction as given: t = t_House / ‖D‖.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClosestApproach<R: Real> {
+    /// The ray as given.
+    pub ray: Ray3<R>,
+    /// The sphere.
+    pub sphere: Sphere<R>,
+    /// ‖D‖, the length of the direction as given.
+    pub length: R,
+    /// The unit direction.
+    pub u_r: R::Vec3,
+    /// Where along the ray the center is nearest.
+    pub t_close: R,
+    /// The point there. (The page writes p_r + t u_r; it means t_close.)
+    pub x_close: R::Vec3,
+    /// Its distance from the center.
+    pub d: R,
+    /// Half the chord: from x_close to the surface either way. `None` where d > r, a miss.
+    pub a: Option<R>,
+}
+
+/// Works out House's method.
+///
+/// A degenerate ray or sphere gives values that mean nothing; [`ClosestApproach::hit`] refuses them.
+pub fn closest_approach<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestApproach<R> {
+    let (p_r, c, r) = (ray.origin, sphere.center, sphere.radius);
+    let length = ray.direction.length();
+    let u_r = ray.direction / length;
+
+    // The nearest point to the center is where c − p_r projects onto the ray.
+    let t_close = u_r.dot(c - p_r);
+    let x_close = p_r + u_r * t_close;
+
+    // Pythagoras: a² + d² = r².
+    let d = (x_close - c).length();
+    let a = if d <= r { Some((r * r - d * d).sqrt()) } else { None };
+
+    ClosestApproach { ray: *ray, sphere: *sphere, length, u_r, t_close, x_close, d, a }
+}
+
+impl<R: Real> ClosestApproach<R> {
+    /// t_close ± a, as distances along the ray; `None` for a miss.
+    pub fn distances(&self) -> Option<Roots<R>> {
+        self.a.map(|a| Roots { near: self.t_close - a, far: self.t_close + a })
+    }
+
+    /// The same in lengths of the direction as given.
+    pub fn roots(&self) -> Option<Roots<R>> {
+        self.distances().map(|Roots { near, far }| Roots { near: near / self.length, far: far / self.length })
+    }
+
+    /// The nearest hit in `span`. (The page takes t_close − a even where that is behind the origin.)
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        self.sphere.first_hit(&self.ray, self.roots(), span)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn through_the_center_it_is_the_distance_less_the_radius() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::new(0.0, -1.0, 3.0));
+        let sphere = Sphere { center: DVec3::new(0.0, -1.0, 3.0), radius: 1.0 };
+        let work = closest_approach(&ray, &sphere);
+        // closed form: the center lies at distance √10, on the ray
+        assert!((work.t_close - 10.0_f64.sqrt()).abs() < 1e-15);
+        assert!(work.d < 1e-15);
+        assert_eq!(work.a, Some(1.0));
+    }
+
+    /// House takes t_close − a whatever its sign (slip 5).
+    #[test]
+    fn as_printed_a_ray_from_inside_hits_behind_itself() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+        let sphere = Sphere { center: DVec3::new(0.0, 0.0, 1.0), radius: 2.0 };
+        let work = closest_approach(&ray, &sphere);
+        // by hand: the sphere reaches from z = −1 to z = 3
+        assert_eq!(work.distances(), Some(Roots { near: -1.0, far: 3.0 }), "as printed: t = −1");
+        assert_eq!(work.hit(Span::ahead()).unwrap().unwrap().t, 3.0, "what it hits is the way out");
+    }
+
+    /// "x_close = p_r + t u_r" (slip 2): with the t of the hit it is another point.
+    #[test]
+    fn x_close_stands_at_t_close() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+        let sphere = Sphere::<f64> { center: DVec3::new(0.0, 0.5, 4.0), radius: 1.0 };
+        let work = closest_approach(&ray, &sphere);
+        // the residual: x_close − c is at right angles to the ray
+        assert_eq!((work.x_close - sphere.center).dot(ray.direction), 0.0);
+        let t = work.distances().unwrap().near;
+        assert!((ray.at(t) - sphere.center).dot(ray.direction).abs() > 0.5, "as printed it is not");
+    }
+}

@@ -1,0 +1,132 @@
+//! CSC418 11.3.3: the same equation with the twos divided out.
+
+use math::{Degenerate, Ray3, Real, Roots, Span, Vector};
+
+use crate::{Hit3, Sphere};
+
+/// Every number of CSC418's method.
+///
+/// The page has the unit sphere; here C takes r² where the page has 1. The ray is a + λ d.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfQuadratic<R: Real> {
+    /// The ray a + λ d.
+    pub ray: Ray3<R>,
+    /// The sphere.
+    pub sphere: Sphere<R>,
+    /// A = d · d
+    pub a: R,
+    /// B = (a − c) · d, half of Gambetta's b
+    pub b: R,
+    /// C = (a − c) · (a − c) − r²
+    pub c: R,
+    /// D = B² − A C, a quarter of Gambetta's discriminant
+    pub d: R,
+    /// −B/A + √D/A, the larger root. `None` where D < 0.
+    pub lambda_1: Option<R>,
+    /// −B/A − √D/A, the smaller root.
+    pub lambda_2: Option<R>,
+}
+
+/// The page's cases when D > 0, for a ray that starts on the view plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Visibility {
+    /// λ1 < 0 and λ2 < 0.
+    Behind,
+    /// λ1 > 0 and λ2 < 0. (The page says twice p(λ1); the one not visible is p(λ2).)
+    Inside,
+    /// λ1 > λ2 > 0.
+    InFront,
+    /// A root is exactly zero, which the page leaves out: the sphere touches the view plane here.
+    Touching,
+}
+
+impl Visibility {
+    /// What it means.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Visibility::Behind => "both behind the view plane: not visible",
+            Visibility::Inside => "p(λ1) is visible, p(λ2) is behind the view plane",
+            Visibility::InFront => "both in front: p(λ2) is the closest",
+            Visibility::Touching => "one of them on the view plane",
+        }
+    }
+}
+
+/// Works out CSC418's method, for a direction of any length but zero.
+///
+/// A degenerate ray or sphere gives values that mean nothing; [`HalfQuadratic::hit`] refuses them.
+pub fn half_quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> HalfQuadratic<R> {
+    let r = sphere.radius;
+    let from_center = ray.origin - sphere.center;
+
+    // A λ² + 2 B λ + C = 0
+    let a = ray.direction.dot(ray.direction);
+    let b = from_center.dot(ray.direction);
+    let c = from_center.dot(from_center) - r * r;
+
+    let d = b * b - a * c;
+    let root = if d < R::from(0.0) { None } else { Some(d.sqrt()) };
+    let lambda_1 = root.map(|root| -b / a + root / a);
+    let lambda_2 = root.map(|root| -b / a - root / a);
+
+    HalfQuadratic { ray: *ray, sphere: *sphere, a, b, c, d, lambda_1, lambda_2 }
+}
+
+impl<R: Real> HalfQuadratic<R> {
+    /// λ2 and λ1, the smaller first; `None` for a miss.
+    pub fn roots(&self) -> Option<Roots<R>> {
+        Some(Roots { near: self.lambda_2?, far: self.lambda_1? })
+    }
+
+    /// Which of the page's cases this is; `None` for a miss.
+    pub fn visibility(&self) -> Option<Visibility> {
+        let Roots { near, far } = self.roots()?;
+        let zero = R::from(0.0);
+        Some(match () {
+            _ if far < zero => Visibility::Behind,
+            _ if near > zero => Visibility::InFront,
+            _ if near < zero && far > zero => Visibility::Inside,
+            _ => Visibility::Touching,
+        })
+    }
+
+    /// The nearest hit in `span`.
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        self.sphere.first_hit(&self.ray, self.roots(), span)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// The page's three cases, with the second p(λ1) read as p(λ2) (slip 12).
+    #[test]
+    fn three_cases_of_visibility() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+        for (z, near, far, case) in [
+            (-3.0, -4.0, -2.0, Visibility::Behind),
+            (0.5, -0.5, 1.5, Visibility::Inside),
+            (3.0, 2.0, 4.0, Visibility::InFront),
+            (1.0, 0.0, 2.0, Visibility::Touching),
+        ] {
+            // by hand: the unit sphere around (0, 0, z) reaches from z − 1 to z + 1
+            let work = half_quadratic(&ray, &Sphere { center: DVec3::new(0.0, 0.0, z), radius: 1.0 });
+            assert_eq!(work.roots(), Some(Roots { near, far }));
+            assert_eq!(work.visibility(), Some(case));
+        }
+        let inside = half_quadratic(&ray, &Sphere { center: DVec3::new(0.0, 0.0, 0.5), radius: 1.0 });
+        let visible = inside.hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!(Some(visible.t), inside.lambda_1, "as printed, p(λ1) would be visible and not visible");
+    }
+
+    #[test]
+    fn twos_divide_out() {
+        let ray = Ray3::<f64>::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, -1.0, 2.0));
+        let sphere = Sphere { center: DVec3::new(4.0, -1.0, 8.0), radius: 2.0 };
+        let (half, full) = (half_quadratic(&ray, &sphere), crate::quadratic(&ray, &sphere));
+        // small integers: every number here is exact
+        assert_eq!((2.0 * half.b, half.c, 4.0 * half.d), (full.b, full.c, full.discriminant));
+    }
+}

@@ -1,0 +1,146 @@
+//! Where does a ray hit a sphere? Four roads to the same two numbers.
+//!
+//! The ray is p_r + t u_r, the sphere ‖x − c‖ = r. [`closest_approach`] is House's geometry: walk to
+//! the point nearest to the center, then back by Pythagoras. [`quadratic`] is Gambetta's algebra: put
+//! the ray into the sphere's equation and solve for t. [`half_quadratic`] is CSC418's, with the
+//! twos divided out. On paper they agree; in floating point each fails somewhere else. [`robust`]
+//! says why, and what to do about it.
+//!
+//! Each method takes a [`Ray3`] and a [`Sphere`] and returns a struct with every number on the way;
+//! its `roots()` are the two crossings and its `hit(span)` the answer. [`Method`] lists them all.
+
+pub mod closest_approach;
+pub mod half_quadratic;
+#[cfg(feature = "stage")]
+mod picture;
+pub mod quadratic;
+pub mod robust;
+pub mod scene;
+#[cfg(feature = "stage")]
+pub mod stage;
+use math::{Degenerate, Hit, Ray3, Real, Roots, Span, Vector};
+
+pub use closest_approach::{ClosestApproach, closest_approach};
+pub use half_quadratic::{HalfQuadratic, half_quadratic};
+pub use quadratic::{Quadratic, quadratic};
+pub use robust::{Robust, robust};
+
+/// The points at distance `radius` from `center`: ‖x − c‖ = r.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<R: Real> {
+    /// c
+    pub center: R::Vec3,
+    /// r, greater than zero.
+    pub radius: R,
+}
+
+/// A hit in space.
+pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
+
+impl<R: Real> Sphere<R> {
+    /// Refuses a question without an answer: numbers that are not finite, a zero direction, a radius
+    /// that is not positive.
+    pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
+        if ![ray.origin, ray.direction, self.center].iter().all(|v| v.is_finite()) || !self.radius.is_finite()
+        {
+            return Err(Degenerate::NotFinite);
+        }
+        if ray.direction.is_zero() {
+            return Err(Degenerate::ZeroDirection);
+        }
+        if self.radius <= R::from(0.0) {
+            return Err(Degenerate::RadiusNotPositive);
+        }
+        Ok(())
+    }
+
+    /// The hit at the smaller of two roots that lies in `span`: x = p_r + t u_r, n = (x − c) / r.
+    ///
+    /// `None` where the line misses (no roots) or both roots lie outside the span.
+    pub fn first_hit(
+        &self,
+        ray: &Ray3<R>,
+        roots: Option<Roots<R>>,
+        span: Span<R>,
+    ) -> Result<Option<Hit3<R>>, Degenerate> {
+        self.check(ray)?;
+        let Some(t) = roots.and_then(|roots| roots.first_within(span)) else { return Ok(None) };
+        let point = ray.at(t);
+        let normal = (point - self.center) / self.radius;
+        Ok(Some(Hit { t, point, normal }))
+    }
+}
+
+/// The formulations of this chapter, by the names that `--method` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// House 4.4.
+    ClosestApproach,
+    /// Gambetta, Listing 2-5.
+    Quadratic,
+    /// CSC418 11.3.3.
+    HalfQuadratic,
+    /// Right where the other three are not.
+    Robust,
+}
+
+impl Method {
+    /// Every method, in the order of the notes.
+    pub const ALL: [Method; 4] =
+        [Method::ClosestApproach, Method::Quadratic, Method::HalfQuadratic, Method::Robust];
+
+    /// The name that `--method` takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::ClosestApproach => "closest-approach",
+            Method::Quadratic => "quadratic",
+            Method::HalfQuadratic => "half-quadratic",
+            Method::Robust => "robust",
+        }
+    }
+
+    /// Works the method out for one ray and one sphere.
+    pub fn work<R: Real>(self, ray: &Ray3<R>, sphere: &Sphere<R>) -> Working<R> {
+        match self {
+            Method::ClosestApproach => Working::ClosestApproach(closest_approach(ray, sphere)),
+            Method::Quadratic => Working::Quadratic(quadratic(ray, sphere)),
+            Method::HalfQuadratic => Working::HalfQuadratic(half_quadratic(ray, sphere)),
+            Method::Robust => Working::Robust(robust(ray, sphere)),
+        }
+    }
+}
+
+/// One method's intermediate values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Working<R: Real> {
+    /// House's.
+    ClosestApproach(ClosestApproach<R>),
+    /// Gambetta's.
+    Quadratic(Quadratic<R>),
+    /// CSC418's.
+    HalfQuadratic(HalfQuadratic<R>),
+    /// Ours.
+    Robust(Robust<R>),
+}
+
+impl<R: Real> Working<R> {
+    /// The two crossings, in lengths of the direction as given; `None` where the line misses.
+    pub fn roots(&self) -> Option<Roots<R>> {
+        match self {
+            Working::ClosestApproach(work) => work.roots(),
+            Working::Quadratic(work) => work.roots(),
+            Working::HalfQuadratic(work) => work.roots(),
+            Working::Robust(work) => work.roots(),
+        }
+    }
+
+    /// The nearest hit in `span`.
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        match self {
+            Working::ClosestApproach(work) => work.hit(span),
+            Working::Quadratic(work) => work.hit(span),
+            Working::HalfQuadratic(work) => work.hit(span),
+            Working::Robust(work) => work.hit(span),
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Gambetta's three spheres and his `TraceRay` (Listing 2-4, Figures 2-10 and 2-11).
+
+use math::grid::lattice;
+use math::{Camera, Degenerate, Handedness, Ray3, Real, Span, Window};
+
+use crate::{Hit3, Method, Sphere};
+
+/// A sphere with the color it is painted in, red, green and blue from 0 to 255.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Painted<R: Real> {
+    /// What the page calls it.
+    pub name: &'static str,
+    /// Where it is.
+    pub sphere: Sphere<R>,
+    /// Its color.
+    pub color: [u8; 3],
+}
+
+/// The centers of the three spheres, which all have radius 1: whole numbers, as the page has them.
+pub const CENTERS: [[i32; 3]; 3] = [[0, -1, 3], [2, 0, 4], [-2, 0, 4]];
+
+/// The background: white.
+pub const BACKGROUND: [u8; 3] = [255, 255, 255];
+
+/// The scene of Figure 2-10.
+pub fn three_spheres<R: Real>() -> [Painted<R>; 3] {
+    let painted = |name, [x, y, z]: [i32; 3], color| {
+        let [x, y, z] = [x, y, z].map(|coordinate| R::from(coordinate as f32));
+        Painted { name, sphere: Sphere { center: R::vec3(x, y, z), radius: R::from(1.0) }, color }
+    };
+    [
+        painted("red", CENTERS[0], [255, 0, 0]),
+        painted("blue", CENTERS[1], [0, 0, 255]),
+        painted("green", CENTERS[2], [0, 255, 0]),
+    ]
+}
+
+/// Gambetta's camera: at the origin, looking along +z with y up and x right, the view plane at
+/// d = 1, its viewport 1 high and as wide as the picture's shape asks (1 for a square one).
+pub fn camera<R: Real>(size: (u32, u32)) -> Result<Camera<R>, Degenerate> {
+    let (zero, one) = (R::from(0.0), R::from(1.0));
+    let [origin, forward, up] =
+        [R::vec3(zero, zero, zero), R::vec3(zero, zero, one), R::vec3(zero, one, zero)];
+    Camera::looking(origin, forward, up, Handedness::Left, one, Window::around_axis(one, size))
+}
+
+/// `TraceRay(O, D, t_min, t_max)`: which sphere the ray meets first within the span, and where.
+///
+/// `None`: none of them, and the pixel takes the background. On a tie the earlier sphere wins
+/// (the listing's strict `<`).
+pub fn trace_ray<R: Real>(
+    method: Method,
+    ray: &Ray3<R>,
+    spheres: &[Painted<R>],
+    span: Span<R>,
+) -> Result<Option<(usize, Hit3<R>)>, Degenerate> {
+    let mut closest: Option<(usize, Hit3<R>)> = None;
+    for (index, painted) in spheres.iter().enumerate() {
+        let Some(hit) = method.work(ray, &painted.sphere).hit(span)? else { continue };
+        if closest.is_none_or(|(_, closest)| hit.t < closest.t) {
+            closest = Some((index, hit));
+        }
+    }
+    Ok(closest)
+}
+
+/// A pixel whose ray touches a sphere without entering it, on paper: D = B² − A C is exactly 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tangent {
+    /// Column and row.
+    pub pixel: (u32, u32),
+    /// Which sphere.
+    pub sphere: usize,
+}
+
+/// The exactly tangent pixels of the lattice of a picture of `size` pixels.
+///
+/// In whole numbers: the ray of a pixel is (2 col − width, height − 2 row, 2 height), up to its
+/// length, and so A, B, C and D are whole numbers as well.
+pub fn tangents(size: (u32, u32)) -> Vec<Tangent> {
+    let (width, height) = (i128::from(size.0), i128::from(size.1));
+    let mut found = Vec::new();
+    for row in 0..size.1 {
+        for col in 0..size.0 {
+            let direction = [2 * i128::from(col) - width, height - 2 * i128::from(row), 2 * height];
+            for (sphere, center) in CENTERS.iter().enumerate() {
+                let center = center.map(i128::from);
+                let a = dot(direction, direction);
+                let b = dot(direction, center);
+                let c = dot(center, center) - 1;
+                if b * b == a * c {
+                    found.push(Tangent { pixel: (col, row), sphere });
+                }
+            }
+        }
+    }
+    found
+}
+
+fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The ray of a pixel on Gambetta's lattice (Listings 2-2 and 2-3).
+pub fn pixel_ray<R: Real>(camera: &Camera<R>, size: (u32, u32), pixel: (u32, u32)) -> Ray3<R> {
+    camera.ray(lattice(&camera.window, size, pixel))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn seven_pixels_of_540_are_tangent() {
+        let size = (540, 540);
+        let pixels: Vec<_> = tangents(size).into_iter().map(|tangent| tangent.pixel).collect();
+        // The tangent rays (X, Y, 1) of the red sphere satisfy 9X² + 8Y² + 6Y = 0, solved by
+        // (0, 0), (±10/54, −1/9), (±12/54, −1/6), (±1/3, −1/2): X = (col − 270)/540, Y = (270 − row)/540.
+        let expected = [(270, 270), (170, 300), (370, 300), (150, 315), (390, 315), (90, 405), (450, 405)];
+        assert_eq!(pixels, expected);
+        for (col, row) in expected {
+            let (x, y) = (i64::from(col) - 270, 270 - i64::from(row));
+            assert_eq!(9 * x * x + 8 * y * y + 6 * 540 * y, 0);
+        }
+    }
+
+    #[test]
+    fn all_methods_draw_the_same_picture_but_for_the_tangents() {
+        let size = (540, 540);
+        let camera = camera::<f64>(size).unwrap();
+        let spheres = three_spheres::<f64>();
+        let tangents: Vec<_> = tangents(size).into_iter().map(|tangent| tangent.pixel).collect();
+        let mut differ = Vec::new();
+        for row in 0..size.1 {
+            for col in 0..size.0 {
+                let ray = pixel_ray(&camera, size, (col, row));
+                let seen = Method::ALL.map(|method| {
+                    let seen = trace_ray(method, &ray, &spheres, Span::from_view_plane()).unwrap();
+                    seen.map(|(sphere, _)| sphere)
+                });
+                if seen.iter().any(|&sphere| sphere != seen[0]) {
+                    differ.push((col, row));
+                }
+            }
+        }
+        assert!(differ.iter().all(|pixel| tangents.contains(pixel)), "{differ:?}");
+        assert!(!differ.is_empty(), "some tangents are decided differently: that is what they are for");
+    }
+
+    #[test]
+    fn the_nearest_sphere_is_seen_and_the_earlier_one_on_a_tie() {
+        let at = |name, z| {
+            let sphere = Sphere { center: DVec3::new(0.0, 0.0, z), radius: 1.0 };
+            Painted { name, sphere, color: [0, 0, 0] }
+        };
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+        let spheres = [at("far", 9.0), at("near", 5.0), at("near again", 5.0), at("too near", 1.5)];
+        for method in Method::ALL {
+            let seen = trace_ray(method, &ray, &spheres, Span::new(3.0, f64::INFINITY)).unwrap();
+            // by hand: "too near" ends at z = 2.5, "near" begins at z = 4
+            assert_eq!(seen.map(|(index, hit)| (index, hit.t)), Some((1, 4.0)), "{}", method.name());
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! The camera: an eye, a frame, and a window on the view plane.
+
+use crate::{Degenerate, Grid, NoGrid, Ray, Ray3, Real, Vector, portable};
+
+/// The window on the view plane, in camera coordinates (x right, y up): CSC418's w_l, w_r, w_b, w_t.
+///
+/// `left` < `right` and `bottom` < `top`, in the units of the scene at the view plane's distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window<R> {
+    /// w_l
+    pub left: R,
+    /// w_r
+    pub right: R,
+    /// w_b
+    pub bottom: R,
+    /// w_t
+    pub top: R,
+}
+
+impl<R: Real> Window<R> {
+    /// A window of height `height` about the axis, as wide as a picture of `size` pixels needs so
+    /// that pixels are square. Height 1 at distance 1 and a square picture: Gambetta's viewport.
+    pub fn around_axis(height: R, size: (u32, u32)) -> Self {
+        let half = R::from(0.5);
+        let top = height * half;
+        let right = top * R::round_from(f64::from(size.0) / f64::from(size.1));
+        Window { left: -right, right, bottom: -top, top }
+    }
+
+    /// The point halfway between the edges: zero for a window about the axis.
+    pub fn center(&self) -> (R, R) {
+        let half = R::from(0.5);
+        ((self.left + self.right) * half, (self.bottom + self.top) * half)
+    }
+}
+
+/// Which way "right" is when one looks along w with up above.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Handedness {
+    /// right = forward × up: House's axes, x right, y up, looking down −z.
+    Right,
+    /// right = up × forward: Gambetta's axes, x right, y up, z into the screen.
+    Left,
+}
+
+/// The general camera of CSC418 11.2: the image plane is e + a u + b v + f w.
+///
+/// u, v and w are unit vectors at right angles in world space: u points right in the picture, v up,
+/// and w away from the eye into the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera<R: Real> {
+    /// The eye, or pinhole.
+    pub e: R::Vec3,
+    /// Right.
+    pub u: R::Vec3,
+    /// Up.
+    pub v: R::Vec3,
+    /// Into the scene.
+    pub w: R::Vec3,
+    /// The distance from the eye to the view plane.
+    pub f: R,
+    /// The window on the view plane.
+    pub window: Window<R>,
+}
+
+impl<R: Real> Camera<R> {
+    /// A camera at `e` looking along `forward`, with `up` pointing up in the picture.
+    ///
+    /// Neither needs unit length, nor need they be at right angles. [`Degenerate::ZeroDirection`]
+    /// where `forward` is zero or `up` runs along it, [`Degenerate::NotFinite`] where a number is not.
+    pub fn looking(
+        e: R::Vec3,
+        forward: R::Vec3,
+        up: R::Vec3,
+        handedness: Handedness,
+        f: R,
+        window: Window<R>,
+    ) -> Result<Self, Degenerate> {
+        if ![e, forward, up].iter().all(|vector| vector.is_finite()) {
+            return Err(Degenerate::NotFinite);
+        }
+        let across = match handedness {
+            Handedness::Right => R::cross(forward, up),
+            Handedness::Left => R::cross(up, forward),
+        };
+        if across.is_zero() {
+            return Err(Degenerate::ZeroDirection);
+        }
+        let w = forward / forward.length();
+        let u = across / across.length();
+        let v = match handedness {
+            Handedness::Right => R::cross(u, w),
+            Handedness::Left => R::cross(w, u),
+        };
+        Ok(Camera { e, u, v, w, f, window })
+    }
+
+    /// The point (x, y, f) of the view plane in world coordinates: e + x u + y v + f w.
+    pub fn view_plane(&self, (x, y): (R, R)) -> R::Vec3 {
+        self.e + self.u * x + self.v * y + self.w * self.f
+    }
+
+    /// The ray from the eye through the point (x, y) of the view plane: t = 0 at the eye, t = 1 on
+    /// the plane. Its direction x u + y v + f w is not normalised.
+    pub fn ray(&self, (x, y): (R, R)) -> Ray3<R> {
+        Ray::new(self.e, self.u * x + self.v * y + self.w * self.f)
+    }
+
+    /// The ray of pixel (`col`, `row`) of a picture of `size` pixels, laid over the window by `grid`.
+    pub fn pixel_ray(&self, grid: Grid, size: (u32, u32), pixel: (u32, u32)) -> Result<Ray3<R>, NoGrid> {
+        Ok(self.ray(grid.point(&self.window, size, pixel)?))
+    }
+
+    /// The horizontal field of view in degrees: the angle between the window's left and right edges
+    /// as seen from the eye. Gambetta's V_w = V_h = d = 1 gives 53.13°.
+    pub fn field_of_view(&self) -> f64 {
+        let f: f64 = self.f.into();
+        let angle = |edge: R| portable::atan(edge.into() / f);
+        (angle(self.window.right) - angle(self.window.left)).to_degrees()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    const UNIT: Window<f64> = Window { left: -0.5, right: 0.5, bottom: -0.5, top: 0.5 };
+
+    #[test]
+    fn gambettas_viewport_spans_53_degrees() {
+        let camera =
+            Camera::<f64>::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, UNIT).unwrap();
+        // 2 atan(1/2) = 53.130102354155978…° (the angle of a 3-4-5 triangle, acos(3/5))
+        assert!((camera.field_of_view() - 53.130_102_354_155_98).abs() < 1e-13);
+        assert_eq!((camera.u, camera.v, camera.w), (DVec3::X, DVec3::Y, DVec3::Z));
+    }
+
+    #[test]
+    fn house_looks_down_minus_z() {
+        let camera =
+            Camera::<f64>::looking(DVec3::ZERO, -DVec3::Z, DVec3::Y, Handedness::Right, 1.0, UNIT).unwrap();
+        assert_eq!((camera.u, camera.v, camera.w), (DVec3::X, DVec3::Y, -DVec3::Z));
+    }
+
+    #[test]
+    fn up_along_forward_is_no_frame() {
+        let up = DVec3::Z * 2.0;
+        let camera = Camera::<f64>::looking(DVec3::ZERO, DVec3::Z, up, Handedness::Right, 1.0, UNIT);
+        assert_eq!(camera, Err(Degenerate::ZeroDirection));
+    }
+}

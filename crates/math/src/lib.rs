@@ -1,0 +1,34 @@
+//! The tiny math core: what a ray is, how far along it one looks, where a pixel lies.
+//!
+//! Start with [`Ray`] and its equation x(t) = p_r + t u_r, then [`Span`], the range of t that every
+//! intersector takes, and [`Hit`], what it returns. [`Camera`] and [`Grid`] say which ray belongs to
+//! a pixel. Everything is generic over [`Real`], which is `f32` or `f64`: one readable formula
+//! serves both precisions, and a chapter can show what the smaller one loses.
+//!
+//! [`two_part`], [`wide`] and [`exact`] are for the methods named `robust`: numbers with twice the
+//! digits, numbers that cannot overflow, and numbers that are not rounded at all.
+//!
+//! There is no input or output here, and nothing that teaches ray tracing.
+
+mod camera;
+pub mod exact;
+pub mod grid;
+mod hit;
+pub mod portable;
+mod ray;
+mod real;
+mod roots;
+mod span;
+pub mod two_part;
+pub mod wide;
+
+pub use camera::{Camera, Handedness, Window};
+pub use exact::Exact;
+pub use grid::{Grid, NoGrid};
+pub use hit::{Degenerate, Hit, Parallel};
+pub use ray::{Ray, Ray2, Ray3};
+pub use real::{Real, Vector};
+pub use roots::Roots;
+pub use span::Span;
+pub use two_part::TwoPart;
+pub use wide::Wide;

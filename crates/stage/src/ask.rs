@@ -1,0 +1,88 @@
+//! What a stage is asked, and what it answers.
+
+use math::Real;
+
+use crate::{Canvas, Case, Error, Row, Transcript};
+
+/// A chapter as the commands see it. All that a new stage has to write.
+pub trait Stage: Sync {
+    /// Its name, its methods, where it stands in the book.
+    fn about(&self) -> About;
+
+    /// Explains one ray and draws the picture.
+    ///
+    /// [`Error::Request`] where the method cannot serve the request (`edges` with a single column).
+    fn show(&self, ask: &Ask) -> Result<Shown, Error>;
+
+    /// Answers one row of a case file; an invalid case is a row too.
+    ///
+    /// [`Error::Request`] where a field is no number, from [`Case::numbers`].
+    fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
+}
+
+/// What every stage says of itself.
+#[derive(Clone, Debug)]
+pub struct About {
+    /// Its place in the book, from 1.
+    pub number: u32,
+    /// The package, the binary and the picture.
+    pub name: &'static str,
+    /// What it teaches, in one line.
+    pub teaches: &'static str,
+    /// The pages of the notes it follows.
+    pub notes: &'static str,
+    /// The names that `--method` takes; the first is the default.
+    pub methods: Vec<&'static str>,
+    /// The picture's default size: columns, rows.
+    pub size: (u32, u32),
+    /// What the picture shows, in one or two sentences.
+    pub picture: &'static str,
+    /// The columns of a case that `eval` reads.
+    pub inputs: &'static [&'static str],
+    /// The columns that `eval` writes.
+    pub results: &'static [&'static str],
+}
+
+/// One request: which method, at which precision, about which pixel of a picture of which size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ask {
+    /// The method's place in [`About::methods`].
+    pub method: usize,
+    /// f32 or f64.
+    pub precision: Precision,
+    /// The picture's columns and rows; neither is 0, and there are at most 2^28 pixels.
+    pub size: (u32, u32),
+    /// The pixel whose ray is explained: column and row, (0, 0) the top left, inside the picture.
+    /// `None`: the worked example of the notes.
+    pub pixel: Option<(u32, u32)>,
+}
+
+/// The precision a method computes in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// binary32
+    F32,
+    /// binary64
+    F64,
+}
+
+impl Precision {
+    /// Both, in the order of the command line's help.
+    pub const ALL: [Precision; 2] = [Precision::F32, Precision::F64];
+
+    /// The name that `--precision` takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => f32::NAME,
+            Precision::F64 => f64::NAME,
+        }
+    }
+}
+
+/// The answer to `show`.
+pub struct Shown {
+    /// The steps.
+    pub transcript: Transcript,
+    /// The picture, of the size that was asked for.
+    pub picture: Canvas,
+}

@@ -1,0 +1,43 @@
+//! `eval`: one result row a case.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::Path;
+
+use crate::case::CaseReader;
+use crate::{Ask, Error, Stage};
+
+/// Answers every case of a file, or of standard input, on standard output.
+pub(crate) fn eval(
+    stage: &dyn Stage,
+    ask: &Ask,
+    cases: Option<&Path>,
+    output: &mut dyn Write,
+) -> Result<(), Error> {
+    match cases {
+        None => answer(stage, ask, io::stdin().lock(), "standard input", output),
+        Some(path) => {
+            let name = path.display().to_string();
+            let file =
+                File::open(path).map_err(|error| Error::Request(format!("cannot read {name}: {error}")))?;
+            answer(stage, ask, BufReader::new(file), &name, output)
+        }
+    }
+}
+
+fn answer(
+    stage: &dyn Stage,
+    ask: &Ask,
+    input: impl BufRead,
+    name: &str,
+    output: &mut dyn Write,
+) -> Result<(), Error> {
+    let about = stage.about();
+    let mut reader = CaseReader::new(input, name, about.inputs)?;
+    writeln!(output, "{}", about.results.join(",")).map_err(Error::from_output)?;
+    while let Some(case) = reader.next()? {
+        let row = stage.eval(ask, &case)?;
+        writeln!(output, "{}", row.line(about.results)).map_err(Error::from_output)?;
+    }
+    Ok(())
+}

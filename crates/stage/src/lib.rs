@@ -1,0 +1,40 @@
+//! What a stage binary is made of: its verbs, the list of steps, pictures, case files, exit status.
+//!
+//! A chapter implements [`Stage`] in its `stage.rs` and calls [`main`] in its `main.rs`:
+//!
+//! ```ignore
+//! fn main() -> std::process::ExitCode {
+//!     stage::main(&ray_wall::stage::RayWall)
+//! }
+//! ```
+//!
+//! The key type is [`Transcript`]: the steps of one ray, each with its symbol, its formula as the
+//! page writes it, and its value, taken from the struct that the chapter's method returned. It is
+//! made once; the terminal, `--format json`, the snapshots and the gallery all show that same list,
+//! so they cannot disagree. This crate knows no chapter and no formula.
+
+mod ask;
+mod canvas;
+mod case;
+mod color;
+mod command;
+mod error;
+mod eval;
+mod font;
+mod json;
+mod text;
+mod transcript;
+mod value;
+mod view;
+mod whole_file;
+
+pub use ask::{About, Ask, Precision, Shown, Stage};
+pub use canvas::{Anchor, Canvas, Pen};
+pub use case::{Case, Row};
+pub use color::Color;
+pub use command::{default_ask, finish, main, parse_pixel, parse_size, report};
+pub use error::Error;
+pub use transcript::{Section, Step, Table, Transcript};
+pub use value::Value;
+pub use view::View;
+pub use whole_file::{write_picture, write_whole};

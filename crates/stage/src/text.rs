@@ -1,0 +1,69 @@
+//! A transcript for the terminal: columns that line up.
+
+use std::fmt::{self, Display, Formatter};
+
+use crate::{Section, Step, Table, Transcript};
+
+/// Where the page of the notes stands, at the end of a heading.
+const WIDTH: usize = 100;
+
+impl Display for Transcript {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for (i, section) in self.sections.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{section}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for Section {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let gap = WIDTH.saturating_sub(length(&self.title) + length(&self.source)).max(2);
+        writeln!(f, "{}", format!("{}{}{}", self.title, " ".repeat(gap), self.source).trim_end())?;
+        let cells =
+            |step: &Step| [&step.symbol, &step.formula, &step.value.to_text(), &step.note].map(String::clone);
+        columns(f, self.steps.iter().map(|step| cells(step).to_vec()).collect())?;
+        if let Some(table) = &self.table {
+            write!(f, "{table}")?;
+        }
+        for remark in &self.remarks {
+            writeln!(f, "  {remark}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for Table {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let rows = self.rows.iter().map(|row| row.iter().map(|value| value.to_text()).collect());
+        columns(f, std::iter::once(self.columns.clone()).chain(rows).collect())
+    }
+}
+
+/// Writes lines of cells, each column as wide as its widest cell.
+fn columns(f: &mut Formatter<'_>, lines: Vec<Vec<String>>) -> fmt::Result {
+    let count = lines.iter().map(Vec::len).max().unwrap_or(0);
+    let widest = |column: usize| {
+        let cells = lines.iter().filter_map(|line| line.get(column));
+        cells.map(|cell| length(cell)).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..count).map(widest).collect();
+    for line in &lines {
+        let mut text = String::new();
+        for (cell, width) in line.iter().zip(&widths) {
+            text.push_str("  ");
+            text.push_str(cell);
+            text.push_str(&" ".repeat(width - length(cell) + usize::from(*width > 0)));
+        }
+        writeln!(f, "{}", text.trim_end())?;
+    }
+    Ok(())
+}
+
+/// How many columns of a terminal a text takes: every sign the notes use takes one.
+fn length(text: &str) -> usize {
+    text.chars().count()
+}

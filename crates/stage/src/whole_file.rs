@@ -1,0 +1,120 @@
+//! Files that appear whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+
+use crate::{Canvas, Error};
+
+/// Writes a picture as a PNG of 8 bits a channel.
+///
+/// [`Error::Failed`] where the file cannot be written, with the reason; then the file is what it was
+/// before.
+pub fn write_picture(picture: &Canvas, path: &Path) -> Result<(), Error> {
+    let (width, height) = picture.size();
+    write_whole(path, |file| {
+        PngEncoder::new_with_quality(file, CompressionType::Fast, FilterType::Adaptive)
+            .write_image(&picture.to_rgb(), width, height, ExtendedColorType::Rgb8)
+            .map_err(|error| match error {
+                ImageError::IoError(error) => error,
+                other => io::Error::other(other),
+            })
+    })
+}
+
+/// Writes a file under another name in the same folder and renames it when it is complete, so that
+/// whoever looks sees the old file or the new one, whole.
+pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
+    let failed = |error: io::Error| {
+        Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error)))
+    };
+    if path.is_dir() {
+        return Err(failed(io::ErrorKind::IsADirectory.into()));
+    }
+    let unfinished = unfinished_name(path);
+    let written = File::create(&unfinished).and_then(|file| {
+        let mut buffer = BufWriter::new(file);
+        write(&mut buffer)?;
+        buffer.flush()
+    });
+    written.and_then(|()| fs::rename(&unfinished, path)).map_err(|error| {
+        // Where even the unfinished file could not be made there is none to remove.
+        let _ = fs::remove_file(&unfinished);
+        failed(error)
+    })
+}
+
+/// `.name.PID.part` beside the file: hidden, and no other running process uses it.
+fn unfinished_name(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{name}.{}.part", std::process::id()))
+}
+
+/// What went wrong, and what would help.
+fn reason(path: &Path, error: &io::Error) -> String {
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder.display().to_string(),
+        _ => ".".to_string(),
+    };
+    match error.kind() {
+        io::ErrorKind::NotFound => {
+            format!("there is no folder {folder}; create it, or name a file elsewhere")
+        }
+        io::ErrorKind::NotADirectory => format!("{folder} is not a folder; name a file elsewhere"),
+        io::ErrorKind::IsADirectory => "it is a folder; name a file".to_string(),
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            format!("the folder {folder} may not be written to; name a file elsewhere")
+        }
+        io::ErrorKind::StorageFull => {
+            "the disk is full; free some space, or name a file elsewhere".to_string()
+        }
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("whole-file-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn a_failed_write_leaves_the_old_file_and_nothing_else() {
+        let folder = folder("old");
+        let path = folder.join("a.txt");
+        fs::write(&path, "old").unwrap();
+        let result = write_whole(&path, |file| {
+            file.write_all(b"half of the ne")?;
+            Err(io::ErrorKind::StorageFull.into())
+        });
+        assert!(result.unwrap_err().to_string().contains("the disk is full"));
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let folder = folder("missing");
+        let error = write_whole(&folder.join("nowhere/a.txt"), |_| Ok(())).unwrap_err();
+        assert_eq!(error.status(), 1);
+        assert!(error.to_string().contains("there is no folder"), "{error}");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_finished_file_is_there_under_its_name_alone() {
+        let folder = folder("new");
+        write_whole(&folder.join("a.txt"), |file| file.write_all(b"new")).unwrap();
+        let names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(names, ["a.txt"]);
+        fs::remove_dir_all(folder).unwrap();
+    }
+}
