@@ -1,1 +1,130 @@
-//! x
+//! Where does a ray hit a wall? The smallest hit there is, in the plane.
+//!
+//! The ray is x(t) = p_r + t u_r (Eq. 4.1). The wall is upright: everything between the face
+//! x = front and the face x = back, without end in y. So only the x of the ray matters, and each face
+//! is one linear equation, p_x + t u_x = front, with one division to solve it.
+//!
+//! [`notes`] is that division. [`robust`] is the same with nothing rounded before the end. Both
+//! return a struct with every number on the way, whose `hit(span)` is the answer. What the page leaves
+//! open (a ray that starts inside, points away, or runs along a face) is decided in [`Crossing`].
+
+pub mod notes;
+#[cfg(feature = "stage")]
+mod picture;
+pub mod robust;
+#[cfg(feature = "stage")]
+pub mod stage;
+
+use math::{Degenerate, Hit, Parallel, Ray2, Real, Roots, Span, Vector};
+
+pub use notes::{Notes, notes};
+pub use robust::{Robust, robust};
+
+/// An upright wall: front ≤ x ≤ back, for every y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall<R> {
+    /// The x of its front face.
+    pub front: R,
+    /// The x of its back face, not less than `front`.
+    pub back: R,
+}
+
+/// A hit in the plane.
+pub type Hit2<R> = Hit<R, <R as Real>::Vec2>;
+
+/// Where a line meets a wall, or why it has no single t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Crossing<R> {
+    /// It enters by one face and leaves by the other.
+    Through(Roots<R>),
+    /// It runs along the wall: apart from the faces (inside or outside), or within one of them.
+    Along(Parallel),
+}
+
+impl<R: Real> Wall<R> {
+    /// Refuses a question without an answer: numbers that are not finite, a zero direction, a front
+    /// beyond the back.
+    pub fn check(&self, ray: &Ray2<R>) -> Result<(), Degenerate> {
+        let finite = [self.front, self.back].iter().all(|x| x.is_finite());
+        if !finite || !ray.origin.is_finite() || !ray.direction.is_finite() {
+            return Err(Degenerate::NotFinite);
+        }
+        if ray.direction.is_zero() {
+            return Err(Degenerate::ZeroDirection);
+        }
+        if self.front > self.back {
+            return Err(Degenerate::FrontBeyondBack);
+        }
+        Ok(())
+    }
+
+    /// How a ray with u_x = 0 runs along this wall. Decided on the numbers as given, so exactly.
+    pub fn along(&self, ray: &Ray2<R>) -> Parallel {
+        let p_x = ray.origin.x();
+        if p_x == self.front || p_x == self.back { Parallel::Within } else { Parallel::Apart }
+    }
+
+    /// The outward normal of the face that the line of `ray` enters by (`far` = false) or leaves by.
+    pub fn normal(&self, ray: &Ray2<R>, far: bool) -> R::Vec2 {
+        let (zero, one) = (R::from(0.0), R::from(1.0));
+        let by_the_front = (ray.direction.x() > zero) != far;
+        R::vec2(if by_the_front { -one } else { one }, zero)
+    }
+}
+
+/// The formulations of this chapter, by the names that `--method` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// House 4.2.
+    Notes,
+    /// Rounded once, at the end.
+    Robust,
+}
+
+impl Method {
+    /// Every method.
+    pub const ALL: [Method; 2] = [Method::Notes, Method::Robust];
+
+    /// The name that `--method` takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Notes => "notes",
+            Method::Robust => "robust",
+        }
+    }
+
+    /// Works the method out for one ray and one wall.
+    pub fn work<R: Real>(self, ray: &Ray2<R>, wall: &Wall<R>) -> Working<R> {
+        match self {
+            Method::Notes => Working::Notes(notes(ray, wall)),
+            Method::Robust => Working::Robust(robust(ray, wall)),
+        }
+    }
+}
+
+/// One method's intermediate values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Working<R: Real> {
+    /// House's.
+    Notes(Notes<R>),
+    /// Ours.
+    Robust(Robust<R>),
+}
+
+impl<R: Real> Working<R> {
+    /// Where the line of the ray meets the wall.
+    pub fn crossing(&self) -> Crossing<R> {
+        match self {
+            Working::Notes(work) => work.crossing(),
+            Working::Robust(work) => work.crossing(),
+        }
+    }
+
+    /// The nearest hit in `span`.
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
+        match self {
+            Working::Notes(work) => work.hit(span),
+            Working::Robust(work) => work.hit(span),
+        }
+    }
+}

@@ -1,3 +1,5 @@
 //! `cargo run -p ray-wall`: see [`ray_wall::stage`].
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    stage::main(&ray_wall::stage::RayWall)
+}

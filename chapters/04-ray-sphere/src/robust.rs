@@ -187,17 +187,10 @@ fn exact_in_f64<R: Real>(v: R::Vec3) -> [f64; 3] {
     std::array::from_fn(|axis| v.components()[axis].into())
 }
 
-/// The number of this precision nearest to a root. What is behind the origin stays behind it, even
-/// where it rounds to zero.
-fn rounded<R: Real>(t: Wide) -> R {
-    let nearest = R::round_from(t.to_f64());
-    if t.is_negative() && nearest == R::from(0.0) { -R::SMALLEST } else { nearest }
-}
-
 impl<R: Real> Robust<R> {
     /// The two crossings, rounded to the precision of the ray; `None` for a miss.
     pub fn roots(&self) -> Option<Roots<R>> {
-        self.wide_roots.map(|Roots { near, far }| Roots { near: rounded(near), far: rounded(far) })
+        self.wide_roots.map(|Roots { near, far }| Roots { near: near.rounded(), far: far.rounded() })
     }
 
     /// The nearest hit in `span`: t, x = p_r + t d and n = (t d − L) / r, each rounded once at the end.
@@ -207,9 +200,9 @@ impl<R: Real> Robust<R> {
         let Some(t) = roots.first_within(span) else { return Ok(None) };
         let wide_t = if span.contains(roots.near) { wide.near } else { wide.far };
 
-        let [origin, direction, center] = [self.ray.origin, self.ray.direction, self.sphere.center]
-            .map(|v| exact_in_f64::<R>(v).map(Wide::from));
-        let r = Wide::from(self.sphere.radius.into());
+        let [origin, direction, center] =
+            [self.ray.origin, self.ray.direction, self.sphere.center].map(Wide::vector::<R, 3>);
+        let r = Wide::of(self.sphere.radius);
         let round = |x: Wide| R::round_from(x.to_f64());
         let along = direction.map(|d| wide_t * d);
         let [x, y, z] = std::array::from_fn(|axis| round(origin[axis] + along[axis]));

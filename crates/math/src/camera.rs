@@ -1,6 +1,6 @@
 //! The camera: an eye, a frame, and a window on the view plane.
 
-use crate::{Degenerate, Grid, NoGrid, Ray, Ray3, Real, Vector, portable};
+use crate::{Degenerate, Grid, NoGrid, Ray3, Real, Vector, portable};
 
 /// The window on the view plane, in camera coordinates (x right, y up): CSC418's w_l, w_r, w_b, w_t.
 ///
@@ -103,7 +103,7 @@ impl<R: Real> Camera<R> {
     /// The ray from the eye through the point (x, y) of the view plane: t = 0 at the eye, t = 1 on
     /// the plane. Its direction x u + y v + f w is not normalised.
     pub fn ray(&self, (x, y): (R, R)) -> Ray3<R> {
-        Ray::new(self.e, self.u * x + self.v * y + self.w * self.f)
+        Ray3::new(self.e, self.u * x + self.v * y + self.w * self.f)
     }
 
     /// The ray of pixel (`col`, `row`) of a picture of `size` pixels, laid over the window by `grid`.

@@ -1,6 +1,6 @@
 //! The tiny math core: what a ray is, how far along it one looks, where a pixel lies.
 //!
-//! Start with [`Ray`] and its equation x(t) = p_r + t u_r, then [`Span`], the range of t that every
+//! Start with [`Ray2`], [`Ray3`] and its equation x(t) = p_r + t u_r, then [`Span`], the range of t that every
 //! intersector takes, and [`Hit`], what it returns. [`Camera`] and [`Grid`] say which ray belongs to
 //! a pixel. Everything is generic over [`Real`], which is `f32` or `f64`: one readable formula
 //! serves both precisions, and a chapter can show what the smaller one loses.
@@ -26,7 +26,7 @@ pub use camera::{Camera, Handedness, Window};
 pub use exact::Exact;
 pub use grid::{Grid, NoGrid};
 pub use hit::{Degenerate, Hit, Parallel};
-pub use ray::{Ray, Ray2, Ray3};
+pub use ray::{Ray2, Ray3};
 pub use real::{Real, Vector};
 pub use roots::Roots;
 pub use span::Span;

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::TwoPart;
+use crate::{Real, TwoPart, Vector};
 
 /// significand · 2^exponent: a number in two parts whose exponent is kept apart, so that the square
 /// of 1e300 and the square of 1e−300 are ordinary numbers.
@@ -40,6 +40,23 @@ impl Wide {
     /// zero or subnormal below the smallest normal one.
     pub fn to_f64(self) -> f64 {
         scaled(self.significand.hi + self.significand.lo, self.exponent)
+    }
+
+    /// The number `x` itself. It must be finite.
+    pub fn of<R: Real>(x: R) -> Wide {
+        Wide::from(x.into())
+    }
+
+    /// The components of a vector.
+    pub fn vector<R: Real, const N: usize>(v: impl Vector<R>) -> [Wide; N] {
+        std::array::from_fn(|axis| Wide::of(v.components()[axis]))
+    }
+
+    /// The number of the precision R nearest to a root t, except that no negative one becomes zero:
+    /// what lies behind the origin of a ray stays behind it.
+    pub fn rounded<R: Real>(self) -> R {
+        let nearest = R::round_from(self.to_f64());
+        if self.is_negative() && nearest == R::from(0.0) { -R::SMALLEST } else { nearest }
     }
 
     /// Less than zero.
