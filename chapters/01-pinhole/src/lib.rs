@@ -1,1 +1,25 @@
-//! x
+//! Which ray belongs to a pixel? The pinhole camera, and three grids of pixels.
+//!
+//! A pinhole throws an upside-down picture on the film behind it. Computer graphics moves the view
+//! plane in front, where the picture stands upright; the similar triangles are the same ([`project`]).
+//! To cast a ray from the eye through a point of the view plane is that projection read backwards
+//! ([`cast_through`]).
+//!
+//! Where on the view plane a pixel lies is a matter of taste, and each of the three notes has its own:
+//! [`house`] takes the centers of the pixels, [`gambetta`] a lattice of their corners, [`csc418`] a
+//! grid from edge to edge. Each returns a struct with every number on the way to the ray.
+
+pub mod csc418;
+pub mod gambetta;
+pub mod house;
+pub mod letter;
+#[cfg(feature = "stage")]
+mod picture;
+pub mod projection;
+#[cfg(feature = "stage")]
+pub mod stage;
+
+pub use csc418::{Csc418Pixel, csc418_pixel};
+pub use gambetta::{GambettaPixel, gambetta_pixel};
+pub use house::{HousePixel, house_pixel};
+pub use projection::{CastThrough, Projection, cast_through, project};

@@ -1,3 +1,5 @@
 //! `cargo run -p pinhole`: see [`pinhole::stage`].
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    stage::main(&pinhole::stage::Pinhole)
+}

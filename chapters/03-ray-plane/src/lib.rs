@@ -1,1 +1,126 @@
-//! x
+//! Where does a ray meet a plane? The sign of a distance, and one division that may be by zero.
+//!
+//! The plane is a point p_0 and a normal n. [`signed_distance`] says how far a point is above it,
+//! d = n · (x − p_0). Put the ray x(t) = p_r + t u_r in and set d = 0: that is Equation 4.2. The page
+//! then asks what happens when the ray is parallel, and leaves the answer to the reader; here it is
+//! [`Meeting`]: parallel and apart, or within the plane, and both are n · u_r = 0, exactly.
+//!
+//! [`notes`] is Equation 4.2 as printed, [`robust`] the same with both dot products certain.
+
+pub mod ground;
+pub mod notes;
+#[cfg(feature = "stage")]
+mod picture;
+pub mod robust;
+pub mod signed_distance;
+#[cfg(feature = "stage")]
+pub mod stage;
+
+use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
+
+pub use notes::{Notes, notes};
+pub use robust::{Robust, robust};
+pub use signed_distance::{Side, SignedDistance, signed_distance};
+
+/// The plane through a point at right angles to a normal: n · (x − p_0) = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<R: Real> {
+    /// p_0, any point of the plane.
+    pub point: R::Vec3,
+    /// n, of any length but zero. House's has length 1; t does not depend on it.
+    pub normal: R::Vec3,
+}
+
+/// A hit in space.
+pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
+
+/// Where the line of a ray meets a plane, or why there is no single t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Meeting<R> {
+    /// At one t, which may be negative.
+    At(R),
+    /// n · u_r = 0: the line never meets the plane, or lies within it.
+    Never(Parallel),
+}
+
+impl<R: Real> Plane<R> {
+    /// Refuses a question without an answer: numbers that are not finite, a zero direction, a zero
+    /// normal.
+    pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
+        if ![ray.origin, ray.direction, self.point, self.normal].iter().all(|v| v.is_finite()) {
+            return Err(Degenerate::NotFinite);
+        }
+        if ray.direction.is_zero() {
+            return Err(Degenerate::ZeroDirection);
+        }
+        if self.normal.is_zero() {
+            return Err(Degenerate::ZeroNormal);
+        }
+        Ok(())
+    }
+}
+
+/// The formulations of this chapter, by the names that `--method` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// House, Eq. 4.2.
+    Notes,
+    /// The same with both dot products certain.
+    Robust,
+}
+
+impl Method {
+    /// Every method.
+    pub const ALL: [Method; 2] = [Method::Notes, Method::Robust];
+
+    /// The name that `--method` takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Notes => "notes",
+            Method::Robust => "robust",
+        }
+    }
+
+    /// Works the method out for one ray and one plane.
+    pub fn work<R: Real>(self, ray: &Ray3<R>, plane: &Plane<R>) -> Working<R> {
+        match self {
+            Method::Notes => Working::Notes(notes(ray, plane)),
+            Method::Robust => Working::Robust(robust(ray, plane)),
+        }
+    }
+}
+
+/// One method's intermediate values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Working<R: Real> {
+    /// House's.
+    Notes(Notes<R>),
+    /// Ours.
+    Robust(Robust<R>),
+}
+
+impl<R: Real> Working<R> {
+    /// Where the line of the ray meets the plane.
+    pub fn meeting(&self) -> Meeting<R> {
+        match self {
+            Working::Notes(work) => work.meeting(),
+            Working::Robust(work) => work.meeting(),
+        }
+    }
+
+    /// The signed distance of the ray's origin from the plane, in units of length.
+    pub fn distance(&self) -> R {
+        match self {
+            Working::Notes(work) => work.distance(),
+            Working::Robust(work) => work.distance(),
+        }
+    }
+
+    /// The hit, where its t lies in `span`.
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        match self {
+            Working::Notes(work) => work.hit(span),
+            Working::Robust(work) => work.hit(span),
+        }
+    }
+}

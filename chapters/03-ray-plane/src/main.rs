@@ -1,3 +1,5 @@
 //! `cargo run -p ray-plane`: see [`ray_plane::stage`].
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    stage::main(&ray_plane::stage::RayPlane)
+}

@@ -44,7 +44,7 @@ fn name_spheres(canvas: &mut Canvas) {
         // The center projects to (x/z, y/z) on the view plane, which is one picture high.
         let col = f64::from(width) / 2.0 + x / z * 0.72 * f64::from(height);
         let row = f64::from(height) / 2.0 - y / z * f64::from(height);
-        let (x, y) = canvas.place_of((col as u32, row as u32));
+        let (x, y) = canvas.place((col, row));
         canvas.plate((x as f32, y as f32), Anchor::Middle, 13.0, Color::BLACK, painted.name);
     }
 }

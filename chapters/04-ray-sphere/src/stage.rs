@@ -101,31 +101,33 @@ fn subject<R: Real>(method: Method, ray: &Ray3<R>, spheres: &[Painted<R>]) -> Re
 fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>, painted: &Painted<R>) {
     let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector(v).to_text());
     let name = method.name();
-    let title = format!("ray-sphere · {name} · {} · {from} → {to} · the {} sphere", R::NAME, painted.name);
+    let title = format!("ray-sphere · {name} · {} · {from} → {to}", R::NAME);
     let sphere = painted.sphere;
+    let source = match method {
+        Method::ClosestApproach => "House 4.4",
+        Method::Quadratic => "Gambetta, Listing 2-5",
+        Method::HalfQuadratic => "CSC418 11.3.3",
+        Method::Robust => "robust.rs",
+    };
+    let section = transcript.section(title, source);
+    section.vector("c", "center", sphere.center).note(format!("the {} sphere", painted.name)).number(
+        "r",
+        "radius",
+        sphere.radius,
+    );
     match method.work(ray, &sphere) {
-        Working::ClosestApproach(work) => {
-            closest_approach_steps(transcript.section(title, "House 4.4"), &work)
-        }
-        Working::Quadratic(work) => {
-            quadratic_steps(transcript.section(title, "Gambetta, Listing 2-5"), &work)
-        }
+        Working::ClosestApproach(work) => closest_approach_steps(section, &work),
+        Working::Quadratic(work) => quadratic_steps(section, &work),
         Working::HalfQuadratic(_) => {
             // CSC418's ray starts on the view plane: ā = p̄_ij, one direction further on.
             let from_plane = Ray3::<R>::new(ray.at(R::from(1.0)), ray.direction);
-            let work = crate::half_quadratic(&from_plane, &sphere);
-            half_quadratic_steps(transcript.section(title, "CSC418 11.3.3"), &work);
+            half_quadratic_steps(section, &crate::half_quadratic(&from_plane, &sphere));
         }
-        Working::Robust(work) => robust_steps(transcript.section(title, "robust.rs"), &work),
+        Working::Robust(work) => robust_steps(section, &work),
     }
 }
 
-fn sphere_steps<R: Real>(section: &mut Section, sphere: &Sphere<R>) {
-    section.vector("c", "center", sphere.center).number("r", "radius", sphere.radius);
-}
-
 fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach<R>) {
-    sphere_steps(section, &work.sphere);
     let r = work.sphere.radius;
     let decision = match () {
         _ if work.d < r => "d < r: enters and leaves",
@@ -148,7 +150,6 @@ fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach
 }
 
 fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
-    sphere_steps(section, &work.sphere);
     let zero = R::from(0.0);
     let decision = match () {
         _ if work.discriminant > zero => "> 0: enters and leaves",
@@ -174,7 +175,6 @@ fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
 }
 
 fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>) {
-    sphere_steps(section, &work.sphere);
     let zero = R::from(0.0);
     let decision = match () {
         _ if work.d > zero => "> 0: two intersections",
@@ -201,7 +201,6 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
 }
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
-    sphere_steps(section, &work.sphere);
     let decision = match () {
         _ if work.d > 0.0 => "> 0: enters and leaves",
         _ if work.d == 0.0 => "= 0: touches",

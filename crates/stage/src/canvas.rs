@@ -123,8 +123,13 @@ impl Canvas {
 
     /// The center of a pixel, in the units of [`fit`](Canvas::fit).
     pub fn place_of(&self, (col, row): (u32, u32)) -> (f64, f64) {
-        let Fit { scale, x, y } = self.fit;
-        ((f64::from(col) + 0.5 - x) / scale, (f64::from(row) + 0.5 - y) / scale)
+        self.place((f64::from(col) + 0.5, f64::from(row) + 0.5))
+    }
+
+    /// A place given in pixels from the top left corner of the picture, in the units of
+    /// [`fit`](Canvas::fit).
+    pub fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        ((x - self.fit.x) / self.fit.scale, (y - self.fit.y) / self.fit.scale)
     }
 
     fn transform(&self) -> Transform {

@@ -1,5 +1,6 @@
 //! The command line of a stage: its verbs, its flags, its exit status.
 
+use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -16,7 +17,12 @@ const MOST_PIXELS: u64 = 1 << 28;
 
 /// The whole program of a stage: reads the command line, does it, and says how it ended.
 pub fn main(stage: &dyn Stage) -> ExitCode {
-    match command(&stage.about()).try_get_matches_from(std::env::args_os()) {
+    main_from(stage, std::env::args_os())
+}
+
+/// [`main`] for a command line that is given; its first word is the program's name.
+pub fn main_from(stage: &dyn Stage, args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    match command(&stage.about()).try_get_matches_from(args) {
         Ok(matches) => finish(serve(stage, &matches)),
         Err(usage) => {
             let _ = usage.print();

@@ -63,7 +63,9 @@ fn columns(f: &mut Formatter<'_>, lines: Vec<Vec<String>>) -> fmt::Result {
     Ok(())
 }
 
-/// How many columns of a terminal a text takes: every sign the notes use takes one.
+/// How many columns of a terminal a text takes: every sign the notes use takes one, and the marks
+/// above a letter (p̄, d⃗) none.
 fn length(text: &str) -> usize {
-    text.chars().count()
+    let is_mark = |sign: &char| matches!(sign, '\u{300}'..='\u{36f}' | '\u{20d0}'..='\u{20ff}');
+    text.chars().filter(|sign| !is_mark(sign)).count()
 }

@@ -61,16 +61,14 @@ fn reason(path: &Path, error: &io::Error) -> String {
     };
     match error.kind() {
         io::ErrorKind::NotFound => {
-            format!("there is no folder {folder}; create it, or name a file elsewhere")
+            format!("there is no folder {folder}; create it, or write elsewhere")
         }
-        io::ErrorKind::NotADirectory => format!("{folder} is not a folder; name a file elsewhere"),
+        io::ErrorKind::NotADirectory => format!("{folder} is not a folder; write elsewhere"),
         io::ErrorKind::IsADirectory => "it is a folder; name a file".to_string(),
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-            format!("the folder {folder} may not be written to; name a file elsewhere")
+            format!("the folder {folder} may not be written to; write elsewhere")
         }
-        io::ErrorKind::StorageFull => {
-            "the disk is full; free some space, or name a file elsewhere".to_string()
-        }
+        io::ErrorKind::StorageFull => "the disk is full; free some space, or write elsewhere".to_string(),
         _ => error.to_string(),
     }
 }

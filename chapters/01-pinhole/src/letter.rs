@@ -1,0 +1,55 @@
+//! A letter F to look at: a shape whose mirror image and whose head-stand one recognizes at once.
+
+use math::{Ray3, Real, Vector};
+
+/// The letter, five columns by seven rows, the top row first.
+const F: [&str; 7] = ["#####", "#....", "#....", "####.", "#....", "#....", "#...."];
+
+/// The letter stands upright at this distance, its middle on the axis, 1.4 high.
+pub const DISTANCE: f64 = 2.0;
+/// The side of one of its squares.
+pub const SQUARE: f64 = 0.2;
+
+/// `shoot`: where a ray meets the upright plane of the letter, z = [`DISTANCE`]; `None` for a ray that
+/// points away from it or runs along it.
+pub fn shoot<R: Real>(ray: &Ray3<R>) -> Option<R::Vec3> {
+    let (p_z, u_z) = (ray.origin.components()[2], ray.direction.components()[2]);
+    if u_z == R::from(0.0) {
+        return None;
+    }
+    let t = (R::round_from(DISTANCE) - p_z) / u_z;
+    if t >= R::from(0.0) { Some(ray.at(t)) } else { None }
+}
+
+/// `shade`: whether the point belongs to the letter.
+pub fn shade<R: Real>(point: R::Vec3) -> bool {
+    let (x, y): (f64, f64) = (point.x().into(), point.y().into());
+    let (column, row) = ((x / SQUARE + 2.5).floor(), (3.5 - y / SQUARE).floor());
+    let inside = (0.0..5.0).contains(&column) && (0.0..7.0).contains(&row);
+    inside && F[row as usize].as_bytes()[column as usize] == b'#'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn the_eye_sees_an_upright_f_and_the_film_one_on_its_head() {
+        let seen = |x: f64, y: f64| {
+            let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::new(x, y, 1.0));
+            shoot(&ray).is_some_and(shade::<f64>)
+        };
+        // the plane in front at half the letter's distance: half its size
+        assert!(seen(0.18, 0.3) && !seen(0.18, -0.3), "the bar is on top");
+        // light through the pinhole reaches the film behind at the opposite point
+        let on_film = |x: f64, y: f64| seen(-x, -y);
+        assert!(on_film(-0.18, -0.3) && !on_film(-0.18, 0.3), "the bar is at the bottom, and left is right");
+    }
+
+    #[test]
+    fn a_ray_that_points_away_hits_nothing() {
+        assert_eq!(shoot(&Ray3::<f64>::new(DVec3::ZERO, -DVec3::Z)), None);
+        assert_eq!(shoot(&Ray3::<f64>::new(DVec3::ZERO, DVec3::X)), None);
+    }
+}

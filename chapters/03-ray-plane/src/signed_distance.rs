@@ -1,0 +1,75 @@
+//! House 4.3: how far is a point from a plane?
+
+use math::{Real, Vector};
+
+use crate::Plane;
+
+/// The numbers of House's distance of a point from a plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SignedDistance<R: Real> {
+    /// x − p_0, from the plane's point to x.
+    pub from_plane: R::Vec3,
+    /// d = n · (x − p_0) / ‖n‖, in units of length. (House's n has length 1.)
+    pub d: R,
+}
+
+/// On which side of the plane a point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// d > 0: where the normal points.
+    Above,
+    /// d = 0
+    On,
+    /// d < 0: by |d|.
+    Below,
+}
+
+/// Works out the distance of the point `x` from a plane whose normal is not zero.
+pub fn signed_distance<R: Real>(x: R::Vec3, plane: &Plane<R>) -> SignedDistance<R> {
+    let from_plane = x - plane.point;
+    let d = plane.normal.dot(from_plane) / plane.normal.length();
+    SignedDistance { from_plane, d }
+}
+
+impl<R: Real> SignedDistance<R> {
+    /// The meaning of the sign.
+    pub fn side(&self) -> Side {
+        let zero = R::from(0.0);
+        match () {
+            _ if self.d > zero => Side::Above,
+            _ if self.d < zero => Side::Below,
+            _ => Side::On,
+        }
+    }
+}
+
+impl Side {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Side::Above => "above",
+            Side::On => "on the plane",
+            Side::Below => "below",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn three_signs() {
+        // by hand: 2x + y + 2z = 9 with ‖(2, 1, 2)‖ = 3; the origin lies 3 below, (3, 3, 6) lies 4 above
+        let plane = Plane::<f64> { point: DVec3::new(4.0, 1.0, 0.0), normal: DVec3::new(2.0, 1.0, 2.0) };
+        for (x, d, side) in [
+            (DVec3::new(3.0, 3.0, 6.0), 4.0, Side::Above),
+            (DVec3::new(0.0, 9.0, 0.0), 0.0, Side::On),
+            (DVec3::ZERO, -3.0, Side::Below),
+        ] {
+            let distance = signed_distance(x, &plane);
+            assert_eq!((distance.d, distance.side()), (d, side));
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! How this chapter shows and evaluates itself.
+
+use math::{Parallel, Ray3, Real, Span};
+use stage::{About, Ask, Case, Error, Precision, Row, Section, Shown, Stage, Transcript, Value};
+
+use crate::ground::{camera, ground, pixel_ray};
+use crate::{Meeting, Method, Notes, Plane, Robust, Working, picture, signed_distance};
+
+/// The stage `ray-plane`.
+pub struct RayPlane;
+
+impl Stage for RayPlane {
+    fn about(&self) -> About {
+        About {
+            number: 3,
+            name: "ray-plane",
+            teaches: "a ray against a plane: signed distance, Equation 4.2, and what parallel means",
+            notes: "House 4.3",
+            methods: Method::ALL.map(Method::name).to_vec(),
+            size: (640, 402),
+            picture: "A chequered ground plane to the horizon, one ray a pixel. On the horizon n · u_r = 0; \
+                      just below it t grows without bound, and one ray a pixel no longer tells the tiles apart.",
+            inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "px", "py", "pz", "nx", "ny", "nz"],
+            results: &["hit", "t", "x", "y", "z", "distance", "reason"],
+        }
+    }
+
+    fn show(&self, ask: &Ask) -> Result<Shown, Error> {
+        match ask.precision {
+            Precision::F32 => show::<f32>(ask),
+            Precision::F64 => show::<f64>(ask),
+        }
+    }
+
+    fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+        match ask.precision {
+            Precision::F32 => row::<f32>(ask, case),
+            Precision::F64 => row::<f64>(ask, case),
+        }
+    }
+}
+
+fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+    let [ox, oy, oz, dx, dy, dz, px, py, pz, nx, ny, nz] = case.numbers::<R, 12>()?;
+    let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
+    let plane = Plane { point: R::vec3(px, py, pz), normal: R::vec3(nx, ny, nz) };
+    let work = Method::ALL[ask.method].work(&ray, &plane);
+    let row = match (work.hit(Span::ahead()), work.meeting()) {
+        (Ok(Some(hit)), _) => Row::hit().number("t", hit.t).vector(["x", "y", "z"], hit.point),
+        (Ok(None), Meeting::Never(how)) => Row::miss(how.reason()),
+        (Ok(None), _) => Row::miss(""),
+        (Err(degenerate), _) => return Ok(Row::invalid(degenerate.reason())),
+    };
+    // Where the notes' squares overflow they have no distance to give.
+    let distance: f64 = work.distance().into();
+    Ok(if distance.is_nan() { row } else { row.number("distance", work.distance()) })
+}
+
+fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
+    let method = Method::ALL[ask.method];
+    let camera = camera::<R>(ask.size).map_err(|degenerate| Error::Failed(degenerate.to_string()))?;
+    // The worked example looks a quarter to the right and a quarter down.
+    let ray = match ask.pixel {
+        Some(pixel) => pixel_ray(&camera, ask.size, pixel),
+        None => camera.ray((R::from(0.25), R::from(-0.25))),
+    };
+    let mut transcript = Transcript::new(&RayPlane.about(), ask);
+    explain(&mut transcript, method, &ray);
+    three_signs::<R>(&mut transcript);
+    three_questions::<R>(&mut transcript, method);
+    to_the_horizon::<R>(&mut transcript, method);
+    Ok(Shown { transcript, picture: picture::draw(method, ask.size, &ray)? })
+}
+
+/// The method's own steps, from its own struct.
+fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>) {
+    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
+    let title = format!("ray-plane · {} · {} · {from} → {to}", method.name(), R::NAME);
+    let plane = ground::<R>();
+    let section = transcript.section(title, "House 4.3, Eq. 4.2");
+    section
+        .vector::<R>("p_0", "a point of the plane", plane.point)
+        .vector::<R>("n", "its normal", plane.normal)
+        .vector::<R>("p_r", "origin", ray.origin)
+        .vector::<R>("u_r", "direction", ray.direction);
+    let work = method.work(ray, &plane);
+    match &work {
+        Working::Notes(work) => notes_steps(section, work),
+        Working::Robust(work) => robust_steps(section, work),
+    }
+    outcome(section, &work, &plane);
+}
+
+fn notes_steps<R: Real>(section: &mut Section, work: &Notes<R>) {
+    section
+        .vector::<R>("p_r − p_0", "from the plane to the origin", work.from_plane)
+        .number("n · (p_r − p_0)", "the dot product", work.n_dot_p)
+        .number("d", "n · (p_r − p_0) / ‖n‖", work.distance())
+        .note(side(work.distance()))
+        .number("n · u_r", "the dot product", work.n_dot_u)
+        .note(slope(work.n_dot_u))
+        .number("t", "−n · (p_r − p_0) / n · u_r", work.t);
+}
+
+fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
+    section
+        .number("n · (p_r − p_0)", "the dot product", work.n_dot_p.value)
+        .note(work.n_dot_p.meaning())
+        .number("d", "n · (p_r − p_0) / ‖n‖", work.distance())
+        .note(side(work.distance()))
+        .number("n · u_r", "the dot product", work.n_dot_u.value)
+        .note(format!("{}; {}", slope(work.n_dot_u.value), work.n_dot_u.meaning()));
+    if let Meeting::At(t) = work.meeting() {
+        section.number("t", "−n · (p_r − p_0) / n · u_r", t);
+    }
+}
+
+fn side<R: Real>(d: R) -> &'static str {
+    match () {
+        _ if d > R::from(0.0) => "d > 0: the origin is above",
+        _ if d < R::from(0.0) => "d < 0: the origin is below",
+        _ => "d = 0: the origin is on the plane",
+    }
+}
+
+fn slope<R: Real>(n_dot_u: R) -> &'static str {
+    match () {
+        _ if n_dot_u > R::from(0.0) => "> 0: along the normal",
+        _ if n_dot_u < R::from(0.0) => "< 0: against the normal",
+        _ => "= 0: parallel",
+    }
+}
+
+/// What t means, the point, and its distance from the plane: the residual.
+fn outcome<R: Real>(section: &mut Section, work: &Working<R>, plane: &Plane<R>) {
+    match (work.hit(Span::ahead()), work.meeting()) {
+        (Ok(Some(hit)), _) => {
+            section.note("t ≥ 0: a hit").vector::<R>("x", "p_r + t u_r", hit.point).number(
+                "residual",
+                "n · (x − p_0) / ‖n‖",
+                signed_distance(hit.point, plane).d,
+            );
+        }
+        (_, Meeting::At(_)) => {
+            section.note("t < 0: the plane is behind");
+        }
+        (_, Meeting::Never(how)) => {
+            let meaning = match how {
+                Parallel::Apart => "parallel: it never meets the plane",
+                Parallel::Within => "parallel and on the plane: it lies within it",
+            };
+            section.step("x", "p_r + t u_r", Value::text("none")).note(meaning);
+        }
+    }
+}
+
+/// Signed distance, with its three signs.
+fn three_signs<R: Real>(transcript: &mut Transcript) {
+    let plane = ground::<R>();
+    let points = [(2.0, 1.5, -3.0), (2.0, 0.0, -3.0), (2.0, -0.5, -3.0)];
+    let rows = points.map(|(x, y, z)| {
+        let x = R::vec3(R::from(x), R::from(y), R::from(z));
+        let distance = signed_distance(x, &plane);
+        let from_plane = Value::vector::<R>(distance.from_plane);
+        vec![
+            Value::vector::<R>(x),
+            from_plane,
+            Value::number(distance.d),
+            Value::text(distance.side().name()),
+        ]
+    });
+    transcript
+        .section("How far is a point from the plane? d = n · (x − p_0)", "House 4.3")
+        .table(&["x", "x − p_0", "d", "x is"], rows.to_vec());
+}
+
+/// "What happens if the ray is parallel? What happens to Equation 4.2? How would you test for this?"
+fn three_questions<R: Real>(transcript: &mut Transcript, method: Method) {
+    let cases = [
+        ("down to the ground", 1.0, -0.25),
+        ("up and away", 1.0, 0.25),
+        ("up, from below", -1.0, 0.25),
+        ("along the ground from on it", 0.0, -0.25),
+        ("parallel, above", 1.0, 0.0),
+        ("parallel, below", -1.0, 0.0),
+        ("within the plane", 0.0, 0.0),
+        ("all but parallel", 1.0, -1e-15),
+    ];
+    let rows = cases.map(|(name, height, fall)| {
+        let (zero, one) = (R::from(0.0), R::from(1.0));
+        let ray = Ray3::<R>::new(
+            R::vec3(zero, R::round_from(height), zero),
+            R::vec3(zero, R::round_from(fall), -one),
+        );
+        let printed = crate::notes(&ray, &ground());
+        let work = method.work(&ray, &ground());
+        let verdict = match (work.hit(Span::ahead()), work.meeting()) {
+            (Ok(Some(_)), _) => "hit",
+            (_, Meeting::At(_)) => "behind",
+            (_, Meeting::Never(how)) => how.reason(),
+        };
+        let numbers = [printed.n_dot_p, printed.n_dot_u, printed.t].map(Value::number);
+        [Value::text(name)].into_iter().chain(numbers).chain([Value::text(verdict)]).collect()
+    });
+    transcript
+        .section("The page's three questions", "House 4.3")
+        .table(&["a ray", "n · (p_r − p_0)", "n · u_r", "t by Eq. 4.2", "verdict"], rows.to_vec())
+        .remark("Parallel, and there is no intersection: n · u_r = 0, for n is at right angles to the plane.")
+        .remark("Eq. 4.2 then divides by zero: ±∞ where the ray is apart from the plane, 0/0 where it lies in it.")
+        .remark("The test is n · u_r = 0 before the division, exactly. A ray that is only nearly parallel hits.");
+}
+
+/// The rows of the picture from the bottom up: n · u_r → 0 and t → ∞.
+fn to_the_horizon<R: Real>(transcript: &mut Transcript, method: Method) {
+    let rows = [-0.75, -0.1, -1e-2, -1e-4, -1e-8, 0.0, 1e-8].map(|y| {
+        let (zero, one) = (R::from(0.0), R::from(1.0));
+        let ray = Ray3::<R>::new(R::vec3(zero, one, zero), R::vec3(zero, R::round_from(y), -one));
+        let work = method.work(&ray, &ground());
+        let t = match work.meeting() {
+            Meeting::At(t) => Value::number(t),
+            Meeting::Never(how) => Value::text(how.reason()),
+        };
+        let point = work.hit(Span::ahead()).ok().flatten();
+        let point = point.map_or(Value::text("no hit"), |hit| Value::vector::<R>(hit.point));
+        vec![Value::number(R::round_from(y)), t, point]
+    });
+    transcript
+        .section("Up the middle of the picture to the horizon", "")
+        .table(&["n · u_r", "t", "x"], rows.to_vec());
+}

@@ -1,0 +1,149 @@
+//! The command line of the workbench.
+
+use std::fs;
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgMatches, Command, value_parser};
+use stage::{Error, finish};
+
+use crate::list::list;
+use crate::run::run;
+use crate::stages;
+
+/// The whole program: reads the command line, does it, and says how it ended.
+pub fn main() -> ExitCode {
+    match command().try_get_matches_from(std::env::args_os()) {
+        Ok(matches) => {
+            let mut output = BufWriter::new(io::stdout().lock());
+            let done = serve(&matches, &mut output);
+            let flushed = output.flush().map_err(Error::from_output);
+            finish(done.and(flushed))
+        }
+        Err(usage) => {
+            let _ = usage.print();
+            ExitCode::from(usage.exit_code() as u8)
+        }
+    }
+}
+
+/// Does what a command line asks, and writes the answer to `output`.
+pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> {
+    match matches.subcommand() {
+        Some(("list", matches)) => {
+            let json = matches.get_one::<String>("format").is_some_and(|format| format == "json");
+            list(stages::ALL, json, output)
+        }
+        Some((_, matches)) => {
+            let names = matches.get_many::<String>("stage").unwrap_or_default();
+            let names: Vec<&str> = names.map(String::as_str).collect();
+            run(&stages::named(&names), &folder(matches)?, output)
+        }
+        None => run(stages::ALL, &folder(matches)?, output),
+    }
+}
+
+/// The command line: `run`, which is also what no verb means, and `list`.
+pub fn command() -> Command {
+    let run = Command::new("run")
+        .about("Run stages on the worked examples of the notes (the default)")
+        .after_help(
+            "Prints each stage's intermediate values, and writes its picture to DIR/NAME.png and all of them \
+             to the page DIR/index.html.",
+        )
+        .arg(
+            Arg::new("stage")
+                .value_name("STAGE")
+                .num_args(0..)
+                .value_parser(PossibleValuesParser::new(stages::names()))
+                .help("The stages to run; without a name, all of them"),
+        )
+        .arg(out());
+    let list = Command::new("list")
+        .about("Say what each stage teaches, and which pages of the notes it follows")
+        .arg(
+            Arg::new("format")
+                .long("format")
+                .value_name("FORMAT")
+                .value_parser(["text", "json"])
+                .default_value("text")
+                .help("How the stages are listed"),
+        );
+    Command::new("workbench")
+        .bin_name("workbench")
+        .about("Run every stage, print the intermediate values of each, and write each picture")
+        .after_help(
+            "One stage by itself, with its other verbs and methods: cargo run -p NAME -- --help\n\
+             Exit status: 0 done, 1 it could not be done, 2 the request was wrong",
+        )
+        .disable_help_subcommand(true)
+        .args_conflicts_with_subcommands(true)
+        .subcommands([run, list])
+        .arg(out())
+}
+
+fn out() -> Arg {
+    Arg::new("out")
+        .long("out")
+        .value_name("DIR")
+        .value_parser(value_parser!(PathBuf))
+        .help("The folder for the pictures and the page that shows them [default: out]")
+}
+
+/// The folder to write to: the default one is made, a named one has to be there.
+fn folder(matches: &ArgMatches) -> Result<PathBuf, Error> {
+    let named = matches.get_one::<PathBuf>("out");
+    let folder = named.cloned().unwrap_or_else(|| PathBuf::from("out"));
+    let make = named.is_none() && !folder.exists();
+    let made = if make { fs::create_dir_all(&folder) } else { Ok(()) };
+    let cause = match made.and_then(|()| fs::metadata(&folder)) {
+        Ok(found) if found.is_dir() => return Ok(folder),
+        Ok(_) => "it is not a folder; name one with --out".to_string(),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            "there is no such folder; create it, or name another with --out".to_string()
+        }
+        Err(error) => format!("{error}; name another folder with --out"),
+    };
+    Err(Error::Failed(format!("cannot write into {}: {cause}", folder.display())))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ffi::OsStr;
+
+    use super::*;
+
+    fn answer(arguments: &[&OsStr]) -> Result<String, Error> {
+        let matches = command().try_get_matches_from(arguments).unwrap();
+        let mut output = Vec::new();
+        serve(&matches, &mut output)?;
+        Ok(String::from_utf8(output).unwrap())
+    }
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        command().debug_assert();
+    }
+
+    #[test]
+    fn an_unknown_stage_is_a_usage_error() {
+        let error = command().try_get_matches_from(["workbench", "run", "ray-spear"]).unwrap_err();
+        assert_eq!(error.exit_code(), 2);
+        assert!(error.to_string().contains("ray-sphere"), "{error}");
+    }
+
+    #[test]
+    fn a_named_folder_has_to_be_there() {
+        let missing = std::env::temp_dir().join(format!("workbench-missing-{}", std::process::id()));
+        let file = std::env::current_exe().unwrap();
+        for (out, cause) in [(&missing, "there is no such folder"), (&file, "it is not a folder")] {
+            let error = answer(&["workbench".as_ref(), "--out".as_ref(), out.as_ref()]).unwrap_err();
+            assert_eq!(error.status(), 1);
+            assert!(error.to_string().contains(cause), "{error}");
+            assert!(error.to_string().contains(&out.display().to_string()), "{error}");
+        }
+        assert!(!missing.exists());
+    }
+}

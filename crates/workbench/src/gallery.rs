@@ -1,0 +1,176 @@
+//! The gallery: one page with every picture and every transcript. It opens from disk, and needs
+//! neither a network nor a script.
+
+use std::io::{self, Write};
+
+use crate::run::Finished;
+
+/// How the page looks, at any width, in light and in dark.
+const STYLE: &str = include_str!("gallery.css");
+
+/// Writes the page. Its pictures are expected beside it, as `NAME.png`.
+pub fn write(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
+    let title = "First Hit: the stages";
+    writeln!(
+        page,
+        r#"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>{title}</title>
+<style>
+{STYLE}</style>
+</head>
+<body>
+<header>
+<h1>{title}</h1>
+<p>Ray tracing, one concept at a time. Every stage follows the worked example of the notes:
+its picture, and each intermediate value in the notes’ own symbols.
+All of them again: <code>cargo run --release</code></p>
+</header>"#
+    )?;
+    contents(finished, page)?;
+    writeln!(page, "<main>")?;
+    for stage in finished {
+        section(stage, page)?;
+    }
+    writeln!(page, "</main>\n</body>\n</html>")
+}
+
+/// The table of contents.
+fn contents(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
+    writeln!(page, "<nav aria-label=\"Stages\">\n<ol>")?;
+    for Finished { about, .. } in finished {
+        let (number, name, teaches) = (about.number, escape(about.name), escape(about.teaches));
+        writeln!(
+            page,
+            r##"<li><a href="#{name}"><span class="number">{number:02}</span> {name}</a> <span>{teaches}</span></li>"##
+        )?;
+    }
+    writeln!(page, "</ol>\n</nav>")
+}
+
+/// One stage: what it teaches, its picture, its transcript.
+fn section(stage: &Finished, page: &mut dyn Write) -> io::Result<()> {
+    let Finished { about, transcript, size: (width, height), .. } = stage;
+    let (number, name) = (about.number, escape(about.name));
+    let (teaches, notes, picture) = (escape(about.teaches), escape(about.notes), escape(about.picture));
+    let (method, precision) = (escape(transcript.method), escape(transcript.precision));
+    let transcript = escape(&transcript.to_string());
+    // The caption says what the alternative text says, so a screen reader hears it once.
+    writeln!(
+        page,
+        r#"<section id="{name}" aria-labelledby="{name}-title">
+<h2 id="{name}-title"><span class="number">{number:02}</span> {name}</h2>
+<p class="teaches">{teaches}</p>
+<dl>
+<div><dt>Notes</dt><dd>{notes}</dd></div>
+<div><dt>Method</dt><dd>{method}, {precision}</dd></div>
+<div><dt>Command</dt><dd><code>cargo run -p {name}</code></dd></div>
+</dl>
+<div class="work">
+<figure>
+<a href="{name}.png"><img src="{name}.png" width="{width}" height="{height}" alt="{picture}"></a>
+<figcaption aria-hidden="true">{picture}</figcaption>
+</figure>
+<pre tabindex="0" role="region" aria-label="Transcript of {name}">{transcript}</pre>
+</div>
+</section>"#
+    )
+}
+
+/// A text as HTML, between tags or inside a quoted attribute.
+fn escape(text: &str) -> String {
+    let mut html = String::with_capacity(text.len());
+    for sign in text.chars() {
+        match sign {
+            '&' => html.push_str("&amp;"),
+            '<' => html.push_str("&lt;"),
+            '>' => html.push_str("&gt;"),
+            '"' => html.push_str("&quot;"),
+            '\'' => html.push_str("&#39;"),
+            other => html.push(other),
+        }
+    }
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::{Path, PathBuf};
+
+    use stage::{Stage, default_ask};
+
+    use super::*;
+    use crate::stages;
+
+    fn finished(stage: &dyn Stage) -> Finished {
+        let about = stage.about();
+        let shown = stage.show(&default_ask(&about)).unwrap();
+        let picture = PathBuf::from(about.name).with_extension("png");
+        Finished { about, transcript: shown.transcript, picture, size: shown.picture.size() }
+    }
+
+    fn page(finished: &[Finished]) -> String {
+        let mut page = Vec::new();
+        write(finished, &mut page).unwrap();
+        String::from_utf8(page).unwrap()
+    }
+
+    /// What stands between `start` and the next quote, wherever `start` is.
+    fn quoted<'a>(page: &'a str, start: &str) -> Vec<&'a str> {
+        page.split(start).skip(1).filter_map(|rest| rest.split('"').next()).collect()
+    }
+
+    #[test]
+    fn escaped_text_has_no_markup_left() {
+        assert_eq!(escape(r#"d < r & 'a' > "b""#), "d &lt; r &amp; &#39;a&#39; &gt; &quot;b&quot;");
+        assert_eq!(escape("‖x_close − c‖"), "‖x_close − c‖");
+    }
+
+    /// Every link leads to a place in the page or to a picture beside it, and nowhere else.
+    #[test]
+    fn every_link_resolves() {
+        let finished: Vec<Finished> = stages::ALL.iter().map(|stage| finished(*stage)).collect();
+        let page = page(&finished);
+        let places = quoted(&page, " id=\"");
+        let links: Vec<&str> =
+            [" href=\"", " src=\""].iter().flat_map(|start| quoted(&page, start)).collect();
+        assert_eq!(links.len(), 3 * finished.len(), "contents, picture and its link");
+        for link in links {
+            let found = match link.strip_prefix('#') {
+                Some(place) => places.contains(&place),
+                None => finished.iter().any(|stage| stage.picture == Path::new(link)),
+            };
+            assert!(found, "{link}");
+        }
+        assert!(!STYLE.contains("url(") && !STYLE.contains("@import"));
+        assert_eq!(places.len(), places.iter().collect::<std::collections::HashSet<_>>().len());
+    }
+
+    #[test]
+    fn stages_stand_in_the_order_given_with_all_they_say() {
+        let finished: Vec<Finished> = stages::ALL.iter().map(|stage| finished(*stage)).collect();
+        let page = page(&finished);
+        let mut rest = page.split_once("<main>").unwrap().1;
+        for Finished { about, transcript, .. } in &finished {
+            for part in [about.name, about.teaches, about.notes, about.picture, &transcript.to_string()] {
+                rest = rest.split_once(&escape(part)).unwrap_or_else(|| panic!("{part}")).1;
+            }
+        }
+    }
+
+    /// Markup in any text that a stage gives stays text.
+    #[test]
+    fn nothing_a_stage_says_becomes_markup() {
+        let mut stage = finished(stages::ALL[0]);
+        let nasty = "\"><script>x</script>";
+        (stage.about.teaches, stage.about.notes, stage.about.picture) = (nasty, nasty, nasty);
+        stage.transcript.section(nasty, nasty).remark(nasty);
+        let page = page(&[stage]);
+        assert!(!page.contains("<script"), "{page}");
+        assert!(!page.contains(nasty));
+    }
+}

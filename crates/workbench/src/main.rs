@@ -1,0 +1,5 @@
+//! `cargo run --release`: see [`workbench`].
+
+fn main() -> std::process::ExitCode {
+    workbench::main()
+}

@@ -1,0 +1,150 @@
+//! `workbench run`: every stage on the worked example of the notes.
+
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use indicatif::ProgressBar;
+use rayon::ThreadPoolBuilder;
+use rayon::prelude::*;
+use stage::{About, Error, Stage, Transcript, default_ask, write_picture, write_whole};
+
+use crate::gallery;
+use crate::stages::widest;
+
+/// How many columns the line under a heading takes: as many as a section of a transcript.
+const WIDTH: usize = 100;
+
+/// What a stage left behind.
+pub struct Finished {
+    /// The stage.
+    pub about: About,
+    /// The steps of its worked example.
+    pub transcript: Transcript,
+    /// Where its picture is.
+    pub picture: PathBuf,
+    /// The picture's columns and rows.
+    pub size: (u32, u32),
+}
+
+/// Runs the stages, writes `NAME.png` for each and `index.html` into `folder`, and prints the
+/// transcripts, the pictures and the gallery's place, in the order given.
+///
+/// [`Error::Failed`] where a file cannot be written. The files come first: a reader who leaves after
+/// one line, as `head` does, still finds them all.
+pub fn run(stages: &[&dyn Stage], folder: &Path, output: &mut dyn Write) -> Result<(), Error> {
+    let finished = show_all(stages, folder)?;
+    let gallery = folder.join("index.html");
+    write_whole(&gallery, |file| gallery::write(&finished, file))?;
+    print(&finished, &gallery, output).map_err(Error::from_output)
+}
+
+/// Shows the stages side by side; where several fail, the error is that of the first in the list.
+fn show_all(stages: &[&dyn Stage], folder: &Path) -> Result<Vec<Finished>, Error> {
+    let threads = ThreadPoolBuilder::new().build().map_err(|error| {
+        Error::Failed(format!("cannot start the threads: {error}; set RAYON_NUM_THREADS=1 for a single one"))
+    })?;
+    let bar = match io::stderr().is_terminal() {
+        true => ProgressBar::new(stages.len() as u64),
+        false => ProgressBar::hidden(),
+    };
+    let results: Vec<Result<Finished, Error>> = threads.install(|| {
+        let one = |stage: &&dyn Stage| {
+            let finished = show(*stage, folder);
+            bar.inc(1);
+            finished
+        };
+        // Stages differ in length, so each is handed out by itself.
+        stages.par_iter().with_max_len(1).map(one).collect()
+    });
+    bar.finish_and_clear();
+    results.into_iter().collect()
+}
+
+fn show(stage: &dyn Stage, folder: &Path) -> Result<Finished, Error> {
+    let about = stage.about();
+    let shown = stage.show(&default_ask(&about))?;
+    let picture = folder.join(about.name).with_extension("png");
+    write_picture(&shown.picture, &picture)?;
+    Ok(Finished { about, transcript: shown.transcript, picture, size: shown.picture.size() })
+}
+
+fn print(finished: &[Finished], gallery: &Path, output: &mut dyn Write) -> io::Result<()> {
+    for Finished { about, transcript, .. } in finished {
+        let line = "═".repeat(WIDTH);
+        writeln!(output, "{:02} {}: {}\n{line}\n{transcript}\n", about.number, about.name, about.teaches)?;
+    }
+    let width = widest(finished.iter().map(|stage| stage.about.name));
+    for Finished { about, picture, .. } in finished {
+        writeln!(output, "{:02} {:width$}  {}", about.number, about.name, picture.display())?;
+    }
+    writeln!(output, "   {:width$}  {}", "gallery", gallery.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use stage::{Ask, Case, Row, Shown};
+
+    use super::*;
+    use crate::stages;
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("workbench-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    /// Every file is there, the summary ends the output, and the transcripts stand above it.
+    #[test]
+    fn a_run_leaves_pictures_and_a_gallery() {
+        let folder = folder("run");
+        let mut output = Vec::new();
+        run(stages::ALL, &folder, &mut output).unwrap();
+        let output = String::from_utf8(output).unwrap();
+
+        let mut files: Vec<String> = stages::names().iter().map(|name| format!("{name}.png")).collect();
+        files.push("index.html".to_string());
+        let summary: Vec<&str> = output.lines().rev().take(files.len()).collect();
+        for (file, line) in files.iter().zip(summary.iter().rev()) {
+            assert!(folder.join(file).is_file(), "{file}");
+            assert!(line.ends_with(&folder.join(file).display().to_string()), "{line}");
+        }
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), files.len());
+
+        let mut rest = output.as_str();
+        for stage in stages::ALL {
+            let transcript = stage.show(&default_ask(&stage.about())).unwrap().transcript.to_string();
+            rest = rest.split_once(&transcript).expect("the stages' transcripts, in order").1;
+        }
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    /// A stage that always fails, with its number as the cause.
+    struct Failing(u32);
+
+    impl Stage for Failing {
+        fn about(&self) -> About {
+            About { number: self.0, ..stages::ALL[0].about() }
+        }
+
+        fn show(&self, _: &Ask) -> Result<Shown, Error> {
+            Err(Error::Failed(self.0.to_string()))
+        }
+
+        fn eval(&self, _: &Ask, _: &Case<'_>) -> Result<Row, Error> {
+            Err(Error::Failed(self.0.to_string()))
+        }
+    }
+
+    #[test]
+    fn the_first_failure_is_the_one_that_is_told() {
+        let folder = folder("failing");
+        let mut output = Vec::new();
+        let error = run(&[&Failing(1), &Failing(2), &Failing(3)], &folder, &mut output).unwrap_err();
+        assert_eq!((error.to_string().as_str(), error.status()), ("1", 1));
+        assert!(output.is_empty());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0, "no gallery of half a run");
+        fs::remove_dir_all(folder).unwrap();
+    }
+}
