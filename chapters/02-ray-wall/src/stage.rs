@@ -108,9 +108,9 @@ fn notes_steps<R: Real>(section: &mut Section, work: &Notes<R>) {
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
     section
         .number("front − p_x", "rounded", work.to_front)
-        .number("", "what the rounding dropped", work.to_front_error)
+        .number("front_error", "what the rounding dropped", work.to_front_error)
         .number("back − p_x", "rounded", work.to_back)
-        .number("", "what the rounding dropped", work.to_back_error)
+        .number("back_error", "what the rounding dropped", work.to_back_error)
         .step("t_front", "(front − p_x) / u_x", Value::maybe(work.t_front()))
         .step("t_back", "(back − p_x) / u_x", Value::maybe(work.t_back()));
 }

@@ -291,11 +291,11 @@ fn both_roots<R: Real>(transcript: &mut Transcript, ray: &Ray3<R>, painted: &Pai
     transcript
         .section("One hit, three parameters", "House, Gambetta, CSC418")
         .number("t_House", "t_close − a", distances.near)
-        .number("", "‖D‖ t_Gambetta", house.length * t)
+        .number("t_House", "‖D‖ t_Gambetta", house.length * t)
         .note("the same distance")
         .number("t_Gambetta", "(−b − √(b² − 4ac)) / 2a", t)
         .number("λ_CSC418", "−B/A − √D/A", lambda)
-        .number("", "t_Gambetta − 1", t - one)
+        .number("λ_CSC418", "t_Gambetta − 1", t - one)
         .note("its ray starts at t = 1")
         .remark("House counts in units of length, Gambetta in lengths of D, CSC418 from the view plane on.");
 }
