@@ -18,6 +18,9 @@ pub(crate) fn eval(
         None => answer(stage, ask, io::stdin().lock(), "standard input", output),
         Some(path) => {
             let name = path.display().to_string();
+            if path.is_dir() {
+                return Err(Error::Request(format!("cannot read {name}: it is a folder; name a CSV file")));
+            }
             let file =
                 File::open(path).map_err(|error| Error::Request(format!("cannot read {name}: {error}")))?;
             answer(stage, ask, BufReader::new(file), &name, output)
