@@ -1,1 +1,23 @@
-//! x
+//! The tests of the whole: every stage, as a reader runs it.
+//!
+//! [`STAGES`] is the one list of stages. A stage that stands in it is covered by all tests under
+//! `tests/all`: its transcripts, help texts and error messages against snapshots, its pictures
+//! pixel by pixel, its answers against exact ones. The snapshots of a new stage are accepted with
+//! `INSTA_UPDATE=always cargo test -p tests`, its picture with `UPDATE_PICTURES=1`; then read and
+//! look at what was accepted.
+
+mod folder;
+mod picture;
+
+pub use folder::Folder;
+pub use picture::compare;
+
+use stage::Stage;
+
+/// Every stage, in the order of the book: those that the workbench runs.
+pub static STAGES: &[&dyn Stage] = workbench::stages::ALL;
+
+/// The stage of that name; `None` where there is none.
+pub fn stage_named(name: &str) -> Option<&'static dyn Stage> {
+    STAGES.iter().copied().find(|stage| stage.about().name == name)
+}

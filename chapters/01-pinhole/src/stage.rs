@@ -57,28 +57,27 @@ fn point<R: Real>(grid: Grid, numbers: [R; 9]) -> Result<[R; 3], &'static str> {
     if !numbers.iter().all(|number| number.is_finite()) {
         return Err(Degenerate::NotFinite.reason());
     }
-    let [width, height, col, row] = [width, height, col, row].map(whole);
-    let ((Ok(width), Ok(height)), (Ok(col), Ok(row))) = ((width, height), (col, row)) else {
-        return Err("not-a-whole-number");
-    };
+    let [columns, rows, col, row]: [f64; 4] = [width, height, col, row].map(Into::into);
     match () {
-        _ if width == 0 || height == 0 => Err("no-pixels"),
-        _ if col >= width || row >= height => Err("outside-picture"),
+        _ if [columns, rows, col, row].iter().any(|number| number.fract() != 0.0) => {
+            Err("not-a-whole-number")
+        }
+        _ if columns < 1.0 || rows < 1.0 => Err("no-pixels"),
+        _ if columns > MOST || rows > MOST => Err("too-many-pixels"),
+        _ if col < 0.0 || row < 0.0 || col >= columns || row >= rows => Err("outside-picture"),
         _ if left >= right || bottom >= top => Err("empty-window"),
         _ if distance <= R::from(0.0) => Err("distance-not-positive"),
-        _ => match grid.point(&Window { left, right, bottom, top }, (width, height), (col, row)) {
-            Ok((x, y)) => Ok([x, y, distance]),
-            Err(NoGrid) => Err("one-column-or-row"),
-        },
+        _ => {
+            let window = Window { left, right, bottom, top };
+            let (size, pixel) = ((columns as u32, rows as u32), (col as u32, row as u32));
+            let point = grid.point(&window, size, pixel);
+            point.map(|(x, y)| [x, y, distance]).map_err(|NoGrid| "one-column-or-row")
+        }
     }
 }
 
-/// A number of pixels: whole, not negative, and at most 2^32 − 1.
-fn whole<R: Real>(number: R) -> Result<u32, ()> {
-    let number: f64 = number.into();
-    let is_whole = number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number);
-    if is_whole { Ok(number as u32) } else { Err(()) }
-}
+/// The most columns or rows that a grid counts.
+const MOST: f64 = u32::MAX as f64;
 
 /// House's window: w = 5 and h = 3, so that pixels have side 1.
 pub(crate) fn house_window<R: Real>() -> Window<R> {
@@ -331,8 +330,9 @@ mod tests {
             (&[(8, f64::INFINITY)], "not-finite"),
             (&[(0, 0.0)], "no-pixels"),
             (&[(0, 2.5)], "not-a-whole-number"),
-            (&[(2, -1.0)], "not-a-whole-number"),
-            (&[(2, 1e300)], "not-a-whole-number"),
+            (&[(2, -1.0)], "outside-picture"),
+            (&[(2, 1e300)], "outside-picture"),
+            (&[(0, 1e300)], "too-many-pixels"),
             (&[(2, 5.0)], "outside-picture"),
             (&[(4, 2.5)], "empty-window"),
             (&[(8, 0.0)], "distance-not-positive"),

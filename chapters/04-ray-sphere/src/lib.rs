@@ -112,6 +112,7 @@ impl Method {
 
 /// One method's intermediate values.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "one at a time is worked out and read, none are stored")]
 pub enum Working<R: Real> {
     /// House's.
     ClosestApproach(ClosestApproach<R>),

@@ -3,19 +3,20 @@
 //! On paper D = B² − A C decides, and t = (B ± √D)/A. In floating point three things go wrong:
 //!
 //! 1. **B² − A C cancels.** Seen from afar both terms are (distance/radius)² times their difference:
-//!    at 1e8 radii nothing of D is left in `f64`, and the verdict is a coin toss. House's
-//!    ‖x_close − c‖ avoids this, but takes the difference in world coordinates, and near a tangent
-//!    r² − d² cancels all the same.
+//!    at 1e8 radii nothing of D is left in `f64`, and the verdict is a coin toss. House's way round
+//!    avoids this: with P = c − x_close, at right angles to the ray, D = A (r² − P·P), and P is small.
+//!    But x_close − c taken in world coordinates loses what a distant origin costs, and near a tangent
+//!    r² − P·P cancels all the same.
 //! 2. **B − √D cancels** when the sphere is near and large. Vieta's C = A t₁ t₂ gives the small root from
 //!    the large one without a subtraction.
 //! 3. **C = L·L − r² cancels** when the origin is near the surface, and even L = c − p_r is rounded.
 //!
-//! So: keep L in two parts (its rounding error is a number too), compute A, B, C and D with twice the
-//! digits, and take the roots as q/A and C/q with q = B ± √D, the sign that adds. Then ask whether
-//! the error that is left could matter. The bound is derived below; where it could, sum C and D
-//! exactly, in integers as long as it takes ([`math::exact`]). The verdict is then true, not likely,
-//! and t is good to a rounding. An error δ in D moves √D by no more than √δ, which is why twice the
-//! digits serve t even close to a tangent.
+//! So: walk to the point of closest approach as House does, but from the center, with L in two parts
+//! (its rounding error is a number too) and twice the digits everywhere; add half the chord on the
+//! side where it adds; take the other root from Vieta. Then ask whether the error that is left could
+//! matter, to the verdict, to t or to the normal. The bounds are beside their constants below. Where
+//! it could, sum A, B, C and D exactly, in integers as long as it takes ([`math::exact`]). The verdict
+//! is then true, not likely, and t and n are good to a rounding.
 //!
 //! Squares of 1e±200 overflow or vanish; there the exact sums are taken straight away. `f32` is
 //! computed in `f64`, where products of `f32` are exact, and rounded at the end.
@@ -28,7 +29,7 @@ use crate::{Hit3, Sphere};
 /// How the verdict was reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {
-    /// With twice the digits, and an error bound that excludes any other verdict.
+    /// With twice the digits, and error bounds that exclude any other verdict.
     TwoPart,
     /// By exact sums.
     Exact,
@@ -38,13 +39,13 @@ impl Certainty {
     /// What it means.
     pub fn meaning(self) -> &'static str {
         match self {
-            Certainty::TwoPart => "two-part sums, certain by their error bound",
-            Certainty::Exact => "too close for two-part sums: summed exactly",
+            Certainty::TwoPart => "certain by its error bound",
+            Certainty::Exact => "too close to call: summed exactly",
         }
     }
 }
 
-/// Every number of the robust method, each rounded to `f64` for the reader.
+/// Every number of the robust method, rounded to `f64` for the reader.
 ///
 /// A degenerate ray or sphere gives NaN throughout; [`Robust::hit`] refuses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,101 +66,132 @@ pub struct Robust<R: Real> {
     pub b: f64,
     /// C = L · L − r²
     pub c: f64,
-    /// D = B² − A C, its sign exact
-    pub d: f64,
-    /// B + √D or B − √D, whichever adds. `None` for a miss.
-    pub q: Option<f64>,
-    /// The roots before they are rounded.
-    wide_roots: Option<Roots<Wide>>,
+    /// t_close = B / A, in lengths of the direction as given.
+    pub t_close: f64,
+    /// P = L − t_close d: from the point of closest approach to the center.
+    pub p: [f64; 3],
+    /// a² = r² − P · P, the square of half the chord; its sign, exact, is the verdict.
+    pub a_squared: f64,
+    /// h = √(a² / A), half the chord in lengths of the direction. `None` for a miss.
+    pub h: Option<f64>,
+    /// The roots and half the chord before they are rounded.
+    crossing: Option<Crossing>,
 }
 
-/// A, B, C and D.
+/// A line through the sphere, as precisely as it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Crossing {
+    roots: Roots<Wide>,
+    p: [Wide; 3],
+    h: Wide,
+}
+
+/// What decides: the numbers of the closest approach, seen from the center.
 #[derive(Clone, Copy)]
-struct Coefficients {
+struct Approach {
     a: Wide,
     b: Wide,
     c: Wide,
-    d: Wide,
+    t_close: Wide,
+    p: [Wide; 3],
+    a_squared: Wide,
     certainty: Certainty,
 }
 
-/// The rounding errors of the dozen two-part operations behind D, each at most 2^−102, add up to
-/// less than 2^−97 of A (L·L + r²), and those of C to less than 2^−99 of L·L + r².
-const D_ERROR: f64 = 1.0 / (1u128 << 97) as f64;
-const C_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
-/// What those errors may do to a root, relatively: a quarter of the last digit of an `f64`.
+/// A two-part operation errs by at most 2^−102. The six or so behind a component of P = L − (B/A) d
+/// leave it within 2^−96 of ‖L‖;
+const P_ERROR: f64 = 1.0 / (1u128 << 96) as f64;
+/// so r² − P·P is off by 2 ‖P‖ times that, by its square, and by 2^−99 of r² and P·P for the sums;
+const SUM_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
+/// and C = L·L − r² by 2^−99 of L·L + r².
+const C_ERROR: f64 = SUM_ERROR;
+/// What an error may be of the number that it spoils: a quarter of the last digit of an `f64`.
 const HARMLESS: f64 = 1.0 / (1u64 << 55) as f64;
-/// Between these, fourth powers and the errors of their products neither overflow nor vanish.
-const SAFE: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
+/// Between these, squares and the errors of their products neither overflow nor vanish.
+const SAFE: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// Works out the robust method.
 pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
     let [origin, direction, center] = [ray.origin, ray.direction, sphere.center].map(exact_in_f64::<R>);
     let r: f64 = sphere.radius.into();
     let l: [TwoPart; 3] = std::array::from_fn(|axis| two_sum(center[axis], -origin[axis]));
+    let nan = f64::NAN;
     let mut work = Robust {
         ray: *ray,
         sphere: *sphere,
         certainty: Certainty::TwoPart,
         l: l.map(|part| part.hi),
         l_error: l.map(|part| part.lo),
-        a: f64::NAN,
-        b: f64::NAN,
-        c: f64::NAN,
-        d: f64::NAN,
-        q: None,
-        wide_roots: None,
+        a: nan,
+        b: nan,
+        c: nan,
+        t_close: nan,
+        p: [nan; 3],
+        a_squared: nan,
+        h: None,
+        crossing: None,
     };
     if sphere.check(ray).is_err() {
         return work;
     }
     let two_part = if is_safe(direction, work.l, r) { in_two_parts(direction, l, r) } else { None };
-    let Coefficients { a, b, c, d, certainty } =
-        two_part.unwrap_or_else(|| exactly(origin, direction, center, r));
+    let approach = two_part.unwrap_or_else(|| exactly(origin, direction, center, r));
+    let Approach { a, b, c, t_close, p, a_squared, certainty } = approach;
     work.certainty = certainty;
-    [work.a, work.b, work.c, work.d] = [a, b, c, d].map(Wide::to_f64);
-    if d.is_negative() {
+    [work.a, work.b, work.c] = [a, b, c].map(Wide::to_f64);
+    [work.t_close, work.a_squared] = [t_close, a_squared].map(Wide::to_f64);
+    work.p = p.map(Wide::to_f64);
+    if a_squared.is_negative() {
         return work;
     }
 
-    // A t² − 2 B t + C = 0: the root that adds is q/A; Vieta gives the other as C/q.
-    let root = d.sqrt();
-    let q = if b.is_negative() { b - root } else { b + root };
-    let roots = match (q.is_zero(), b.is_negative()) {
-        (true, _) => Roots { near: Wide::ZERO, far: Wide::ZERO }, // B = C = D = 0: it touches at its origin
-        (_, false) => Roots { near: c / q, far: q / a },
-        (_, true) => Roots { near: q / a, far: c / q },
+    // On the side where h adds, nothing cancels; the other root follows from A t₁ t₂ = C.
+    let h = (a_squared / a).sqrt();
+    let outer = if t_close.is_negative() { t_close - h } else { t_close + h };
+    let inner = if outer.is_zero() { Wide::ZERO } else { c / (a * outer) };
+    let roots = if t_close.is_negative() {
+        Roots { near: outer, far: inner }
+    } else {
+        Roots { near: inner, far: outer }
     };
-    work.q = Some(q.to_f64());
-    work.wide_roots = Some(roots);
+    work.h = Some(h.to_f64());
+    work.crossing = Some(Crossing { roots, p, h });
     work
 }
 
-/// A, B, C and D with twice the digits; `None` where their error could change the verdict or a root.
-fn in_two_parts(direction: [f64; 3], l: [TwoPart; 3], r: f64) -> Option<Coefficients> {
-    let dir = direction.map(TwoPart::from);
-    let r = TwoPart::from(r);
-    let l_l = dot(l, l);
-    let a = dot(dir, dir);
-    let b = dot(l, dir);
-    let c = l_l - r * r;
-    let d = b * b - a * c;
+/// The closest approach with twice the digits; `None` where the error left could matter.
+fn in_two_parts(direction: [f64; 3], l: [TwoPart; 3], r: f64) -> Option<Approach> {
+    let d = direction.map(TwoPart::from);
+    let radius = TwoPart::from(r);
+    let (a, b, l_l) = (dot(d, d), dot(l, d), dot(l, l));
+    let c = l_l - radius * radius;
+    let t_close = b / a;
+    let p: [TwoPart; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
+    let p_p = dot(p, p);
+    let a_squared = radius * radius - p_p;
 
-    let size = l_l.hi + r.hi * r.hi;
-    let d_error = D_ERROR * a.hi * size;
-    let certain = if d.hi < 0.0 {
-        -d.hi > d_error
+    let p_error = P_ERROR * l_l.hi.sqrt();
+    let error = p_error * (2.0 * p_p.hi.sqrt() + p_error) + SUM_ERROR * (p_p.hi + r * r);
+    let certain = if a_squared.hi < 0.0 {
+        -a_squared.hi > error
     } else {
-        // √D is off by δ/2√D; the roots C/q and q/A then by that over q, and by the error of C.
-        let root = d.hi.sqrt();
-        d_error <= HARMLESS * root * (b.hi.abs() + root) && C_ERROR * size <= HARMLESS * c.hi.abs()
+        // An error δ in a² is one of δ/2a in a, so of t as a share of the way to the outer root, and of
+        // n as a share of r; the error of P spoils the same two. C spoils the inner root.
+        let half_chord = a_squared.hi.sqrt();
+        let way = t_close.hi.abs() * a.hi.sqrt() + half_chord;
+        let spoiled = way.min(r);
+        error <= HARMLESS * half_chord * spoiled
+            && p_error <= HARMLESS * spoiled
+            && C_ERROR * (l_l.hi + r * r) <= HARMLESS * c.hi.abs()
     };
-    let [a, b, c, d] = [a, b, c, d].map(Wide::from);
-    certain.then_some(Coefficients { a, b, c, d, certainty: Certainty::TwoPart })
+    let [a, b, c, t_close, a_squared] = [a, b, c, t_close, a_squared].map(Wide::from);
+    let approach =
+        Approach { a, b, c, t_close, p: p.map(Wide::from), a_squared, certainty: Certainty::TwoPart };
+    certain.then_some(approach)
 }
 
-/// A, B, C and D without any rounding.
-fn exactly(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], r: f64) -> Coefficients {
+/// The closest approach from exact sums: A, B, C, D = B² − A C and A P = A L − B d, each rounded once.
+fn exactly(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], r: f64) -> Approach {
     let direction = direction.map(Exact::new);
     let l: [Exact; 3] = std::array::from_fn(|axis| Exact::new(center[axis]) - Exact::new(origin[axis]));
     let r = Exact::new(r);
@@ -167,11 +199,14 @@ fn exactly(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], r: f64) -> C
     let b = Exact::dot(&l, &direction);
     let c = Exact::dot(&l, &l) - r.clone() * r;
     let d = b.clone() * b.clone() - a.clone() * c.clone();
+    let a_p: [Exact; 3] =
+        std::array::from_fn(|axis| a.clone() * l[axis].clone() - b.clone() * direction[axis].clone());
     let [a, b, c, d] = [a, b, c, d].map(|exact| exact.to_wide());
-    Coefficients { a, b, c, d, certainty: Certainty::Exact }
+    let p = a_p.map(|component| component.to_wide() / a);
+    Approach { a, b, c, t_close: b / a, p, a_squared: d / a, certainty: Certainty::Exact }
 }
 
-/// Whether squares and fourth powers of these numbers stay well inside the range of `f64`.
+/// Whether squares of these numbers stay well inside the range of `f64`.
 fn is_safe(direction: [f64; 3], l: [f64; 3], r: f64) -> bool {
     let largest = |v: [f64; 3]| v.into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     SAFE.contains(&largest(direction)) && SAFE.contains(&largest(l).max(r))
@@ -190,24 +225,77 @@ fn exact_in_f64<R: Real>(v: R::Vec3) -> [f64; 3] {
 impl<R: Real> Robust<R> {
     /// The two crossings, rounded to the precision of the ray; `None` for a miss.
     pub fn roots(&self) -> Option<Roots<R>> {
-        self.wide_roots.map(|Roots { near, far }| Roots { near: near.rounded(), far: far.rounded() })
+        let Roots { near, far } = self.crossing?.roots;
+        Some(Roots { near: near.rounded(), far: far.rounded() })
     }
 
-    /// The nearest hit in `span`: t, x = p_r + t d and n = (t d − L) / r, each rounded once at the end.
+    /// The nearest hit in `span`: t, n = (± h d − P) / r and x = c + r n, each rounded once at the end.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.check(&self.ray)?;
-        let (Some(wide), Some(roots)) = (self.wide_roots, self.roots()) else { return Ok(None) };
+        let (Some(crossing), Some(roots)) = (self.crossing, self.roots()) else { return Ok(None) };
         let Some(t) = roots.first_within(span) else { return Ok(None) };
-        let wide_t = if span.contains(roots.near) { wide.near } else { wide.far };
+        let enters = span.contains(roots.near);
+        let h = if enters { -crossing.h } else { crossing.h };
 
-        let [origin, direction, center] =
-            [self.ray.origin, self.ray.direction, self.sphere.center].map(Wide::vector::<R, 3>);
+        let [direction, center] = [self.ray.direction, self.sphere.center].map(Wide::vector::<R, 3>);
         let r = Wide::of(self.sphere.radius);
         let round = |x: Wide| R::round_from(x.to_f64());
-        let along = direction.map(|d| wide_t * d);
-        let [x, y, z] = std::array::from_fn(|axis| round(origin[axis] + along[axis]));
-        let [n_x, n_y, n_z] =
-            std::array::from_fn(|axis| round((along[axis] - (center[axis] - origin[axis])) / r));
+        let from_center: [Wide; 3] = std::array::from_fn(|axis| h * direction[axis] - crossing.p[axis]);
+        let [x, y, z] = std::array::from_fn(|axis| round(center[axis] + from_center[axis]));
+        let [n_x, n_y, n_z] = from_center.map(|component| round(component / r));
         Ok(Some(Hit { t, point: R::vec3(x, y, z), normal: R::vec3(n_x, n_y, n_z) }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    fn work(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], radius: f64) -> Robust<f64> {
+        robust(&Ray3::new(origin.into(), direction.into()), &Sphere { center: center.into(), radius })
+    }
+
+    /// A tangent of whole numbers is one at every scale at which they are floats.
+    #[test]
+    fn a_tangent_is_a_tangent_at_every_scale() {
+        // by hand: the ray x = 3 in the direction of z touches the sphere of radius 3 around (0, 0, 8)
+        for power in [-1000, -300, -40, 0, 40, 300, 1000] {
+            let scale = 2.0_f64.powi(power);
+            let [x, r, z] = [3.0, 3.0, 8.0].map(|number| number * scale);
+            for length in [1.0, 1e-150, 1e150, 5e-324] {
+                let touching = work([x, 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r);
+                assert_eq!(touching.a_squared, 0.0, "scale 2^{power}, length {length:e}");
+                assert!(touching.roots().is_some_and(|roots| roots.near == roots.far));
+                // one digit farther out it misses, one digit farther in it hits
+                assert!(
+                    work([x.next_up(), 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r).roots().is_none()
+                );
+                let inside = work([x.next_down(), 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r);
+                assert!(inside.roots().is_some());
+            }
+        }
+    }
+
+    #[test]
+    fn a_normal_has_length_one_however_far_the_sphere() {
+        for distance in [10.0, 1e8, 1e16, 1e40, 1e200] {
+            // aimed half a radius off the center, from an origin whose digits reach below the radius
+            let touching = work([0.5, 0.25, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, distance], 1.0);
+            let hit = touching.hit(Span::ahead()).unwrap().unwrap();
+            let closed_form = DVec3::new(0.5, 0.25, -(1.0 - 0.25 - 0.0625_f64).sqrt());
+            assert!((hit.normal - closed_form).length() < 1e-15, "{distance:e}: {:?}", hit.normal);
+        }
+    }
+
+    #[test]
+    fn an_origin_on_the_surface_touches_at_zero() {
+        // (2, 3, 6) lies on the sphere of radius 7; by hand, along −x it leaves at x = −2
+        let touching = work([2.0, 3.0, 6.0], [-1.0, 0.0, 0.0], [0.0; 3], 7.0);
+        assert_eq!(touching.certainty, Certainty::Exact);
+        assert_eq!(touching.roots(), Some(Roots { near: 0.0, far: 4.0 }));
+        // a tangent there
+        let grazing = work([2.0, 3.0, 6.0], [3.0, -2.0, 0.0], [0.0; 3], 7.0);
+        assert_eq!(grazing.roots(), Some(Roots { near: 0.0, far: 0.0 }));
     }
 }

@@ -73,32 +73,43 @@ pub struct Tangent {
     pub sphere: usize,
 }
 
-/// The exactly tangent pixels of the lattice of a picture of `size` pixels.
+/// The exactly tangent pixels of the lattice of a picture of `size` pixels, row by row.
 ///
-/// In whole numbers: the ray of a pixel is (2 col − width, height − 2 row, 2 height), up to its
-/// length, and so A, B, C and D are whole numbers as well.
+/// In whole numbers: the ray of a pixel is (X, Y, Z) = (2 col − width, height − 2 row, 2 height), up
+/// to its length, and a sphere of radius 1 around (a, b, c) has K = a² + b² + c² − 1 for CSC418's C.
+/// D = (a X + b Y + c Z)² − K (X² + Y² + Z²) = 0 is for each row a quadratic in X, whose solutions
+/// are pixels if its root is whole and the division leaves nothing.
 pub fn tangents(size: (u32, u32)) -> Vec<Tangent> {
     let (width, height) = (i128::from(size.0), i128::from(size.1));
     let mut found = Vec::new();
     for row in 0..size.1 {
-        for col in 0..size.0 {
-            let direction = [2 * i128::from(col) - width, height - 2 * i128::from(row), 2 * height];
-            for (sphere, center) in CENTERS.iter().enumerate() {
-                let center = center.map(i128::from);
-                let a = dot(direction, direction);
-                let b = dot(direction, center);
-                let c = dot(center, center) - 1;
-                if b * b == a * c {
-                    found.push(Tangent { pixel: (col, row), sphere });
-                }
-            }
+        let (y, z) = (height - 2 * i128::from(row), 2 * height);
+        for (sphere, center) in CENTERS.iter().enumerate() {
+            let [a, b, c] = center.map(i128::from);
+            let k = a * a + b * b + c * c - 1;
+            // (a² − K) X² + 2 a m X + (m² − K (Y² + Z²)) = 0 with m = b Y + c Z
+            let m = b * y + c * z;
+            let (first, half_second, third) = (a * a - k, a * m, m * m - k * (y * y + z * z));
+            let discriminant = half_second * half_second - first * third;
+            let Some(root) = whole_root(discriminant) else { continue };
+            let mut columns: Vec<u32> = [-half_second - root, -half_second + root]
+                .into_iter()
+                .filter(|numerator| numerator % first == 0)
+                .map(|numerator| numerator / first + width)
+                .filter(|twice_col| twice_col % 2 == 0 && (0..2 * width).contains(twice_col))
+                .map(|twice_col| (twice_col / 2) as u32)
+                .collect();
+            columns.sort_unstable();
+            columns.dedup();
+            found.extend(columns.into_iter().map(|col| Tangent { pixel: (col, row), sphere }));
         }
     }
     found
 }
 
-fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/// The square root of a square; `None` for any other number.
+fn whole_root(square: i128) -> Option<i128> {
+    square.checked_isqrt().filter(|root| root * root == square)
 }
 
 /// The ray of a pixel on Gambetta's lattice (Listings 2-2 and 2-3).
@@ -123,6 +134,26 @@ mod tests {
             let (x, y) = (i64::from(col) - 270, 270 - i64::from(row));
             assert_eq!(9 * x * x + 8 * y * y + 6 * 540 * y, 0);
         }
+    }
+
+    #[test]
+    fn no_tangent_pixel_is_left_out() {
+        let size = (136, 108);
+        let found: Vec<_> = tangents(size).into_iter().map(|tangent| tangent.pixel).collect();
+        let (width, height) = (i64::from(size.0), i64::from(size.1));
+        let mut searched = Vec::new();
+        for (row, col) in (0..size.1).flat_map(|row| (0..size.0).map(move |col| (row, col))) {
+            let direction = [2 * i64::from(col) - width, height - 2 * i64::from(row), 2 * height];
+            let dot = |v: [i64; 3], w: [i64; 3]| v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+            let touches = |center: &[i32; 3]| {
+                let center = center.map(i64::from);
+                let (b, c) = (dot(direction, center), dot(center, center) - 1);
+                b * b == dot(direction, direction) * c
+            };
+            searched.extend(CENTERS.iter().filter(|center| touches(center)).map(|_| (col, row)));
+        }
+        assert_eq!(found, searched);
+        assert!(found.len() > 1);
     }
 
     #[test]

@@ -146,7 +146,7 @@ fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach
         .step("a", "√(r² − d²)", Value::maybe(work.a))
         .number("t", "t_close − a", roots.near)
         .note("the nearer of t_close ± a");
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), "p_r + t u_r");
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t u_r", "(x_hit − c) / r"]);
 }
 
 fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
@@ -171,7 +171,7 @@ fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
         "(−b − √(b² − 4ac)) / 2a",
         Value::maybe(work.t2),
     );
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), "O + t D");
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["O + t D", "(x_hit − c) / r"]);
 }
 
 fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>) {
@@ -197,31 +197,38 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
         .step("λ1", "−B/A + √D/A", Value::maybe(work.lambda_1))
         .step("λ2", "−B/A − √D/A", Value::maybe(work.lambda_2))
         .note(work.visibility().map_or("", |case| case.meaning()));
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), "ā + λ d⃗");
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["ā + λ d⃗", "(x_hit − c) / r"]);
 }
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
+    let vector = |v: [f64; 3]| Value::Array(v.map(Value::F64).to_vec());
     let decision = match () {
-        _ if work.d > 0.0 => "> 0: enters and leaves",
-        _ if work.d == 0.0 => "= 0: touches",
-        _ => "< 0: no hit",
+        _ if work.a_squared > 0.0 => "a² > 0: enters and leaves",
+        _ if work.a_squared == 0.0 => "a² = 0: touches",
+        _ => "a² < 0: no hit",
     };
     section
-        .step("L", "c − p_r, rounded", Value::Array(work.l.map(Value::F64).to_vec()))
-        .step("L_error", "what the rounding dropped", Value::Array(work.l_error.map(Value::F64).to_vec()))
+        .step("L", "c − p_r", vector(work.l))
+        .step("L_error", "what the rounding of L dropped", vector(work.l_error))
         .step("A", "d · d", Value::F64(work.a))
         .step("B", "L · d", Value::F64(work.b))
         .step("C", "L · L − r²", Value::F64(work.c))
-        .step("D", "B² − A C", Value::F64(work.d))
+        .step("t_close", "B / A", Value::F64(work.t_close))
+        .step("P", "L − t_close d", vector(work.p))
+        .note("from the closest point to the center")
+        .step("a²", "r² − P · P", Value::F64(work.a_squared))
         .note(format!("{decision}; {}", work.certainty.meaning()));
-    let (Some(q), Some(roots)) = (work.q, work.roots()) else { return };
-    let (near, far) = if work.b < 0.0 { ("q / A", "C / q") } else { ("C / q", "q / A") };
+    let (Some(h), Some(roots)) = (work.h, work.roots()) else { return };
+    let (near, far) = match work.t_close < 0.0 {
+        true => ("t_close − h", "C / (A t_near)"),
+        false => ("C / (A t_far)", "t_close + h"),
+    };
     section
-        .step("q", if work.b < 0.0 { "B − √D" } else { "B + √D" }, Value::F64(q))
-        .note("the sign that adds")
+        .step("h", "√(a² / A)", Value::F64(h))
         .number("t_near", near, roots.near)
-        .number("t_far", far, roots.far);
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), "p_r + t d");
+        .number("t_far", far, roots.far)
+        .note("no difference is taken");
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["c + r n", "(t d − L) / r = (∓ h d − P) / r"]);
 }
 
 /// The hit, its normal, and the residual of substituting it back.
@@ -229,14 +236,14 @@ fn hit_steps<R: Real>(
     section: &mut Section,
     sphere: &Sphere<R>,
     hit: Result<Option<crate::Hit3<R>>, Degenerate>,
-    formula: &str,
+    [x_formula, n_formula]: [&str; 2],
 ) {
     let Ok(Some(hit)) = hit else {
         section.step("hit", "the smallest root ≥ 0", Value::text("none")).note("all of the sphere is behind");
         return;
     };
     let residual = (hit.point - sphere.center).length() - sphere.radius;
-    section.vector("x_hit", formula, hit.point).vector("n", "(x_hit − c) / r", hit.normal).number(
+    section.vector("x_hit", x_formula, hit.point).vector("n", n_formula, hit.normal).number(
         "residual",
         "‖x_hit − c‖ − r",
         residual,

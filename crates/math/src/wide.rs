@@ -37,9 +37,9 @@ impl Wide {
     }
 
     /// The nearest `f64`, or almost (an error of 2^−50 of its last digit): infinite above the largest,
-    /// zero or subnormal below the smallest normal one.
+    /// zero or subnormal below the smallest normal one. Zero is never negative.
     pub fn to_f64(self) -> f64 {
-        scaled(self.significand.hi + self.significand.lo, self.exponent)
+        scaled(self.significand.hi + self.significand.lo, self.exponent) + 0.0
     }
 
     /// The number `x` itself. It must be finite.

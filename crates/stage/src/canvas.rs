@@ -1,7 +1,8 @@
 //! A picture: pixels, and anti-aliased drawing over them.
 
 use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash, Transform,
+    FillRule, IntSize, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash,
+    Transform,
 };
 
 use crate::{Color, Error, font};
@@ -64,14 +65,10 @@ impl Canvas {
     /// A picture of `size` = (columns, rows) in one color. [`Error::Failed`] where the memory for it
     /// cannot be had.
     pub fn new(size: (u32, u32), background: Color) -> Result<Canvas, Error> {
-        let refused =
-            || Error::Failed(format!("there is no memory for a picture of {}x{} pixels", size.0, size.1));
-        let bytes = usize::try_from(4 * u64::from(size.0) * u64::from(size.1)).map_err(|_| refused())?;
-        let mut data = Vec::new();
-        data.try_reserve_exact(bytes).map_err(|_| refused())?;
-        data.resize(bytes, 0);
-        let size = tiny_skia::IntSize::from_wh(size.0, size.1).ok_or_else(refused)?;
-        let mut pixels = Pixmap::from_vec(data, size).ok_or_else(refused)?;
+        let mut data = reserved(4, size)?;
+        data.resize(data.capacity(), 0);
+        let int_size = IntSize::from_wh(size.0, size.1).ok_or_else(|| no_memory(size))?;
+        let mut pixels = Pixmap::from_vec(data, int_size).ok_or_else(|| no_memory(size))?;
         pixels.fill(skia(background));
         Ok(Canvas { pixels, fit: Fit { scale: 1.0, x: 0.0, y: 0.0 } })
     }
@@ -86,9 +83,14 @@ impl Canvas {
         self.pixels.pixel(col, row).map(|pixel| Color([pixel.red(), pixel.green(), pixel.blue()]))
     }
 
-    /// The pixels, row by row from the top left, three bytes each.
-    pub fn to_rgb(&self) -> Vec<u8> {
-        self.pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect()
+    /// The pixels, row by row from the top left, three bytes each. [`Error::Failed`] where the memory
+    /// for them cannot be had.
+    pub fn to_rgb(&self) -> Result<Vec<u8>, Error> {
+        let mut bytes = reserved(3, self.size())?;
+        for pixel in self.pixels.pixels() {
+            bytes.extend([pixel.red(), pixel.green(), pixel.blue()]);
+        }
+        Ok(bytes)
     }
 
     /// Colors every pixel by its column and row, in strips on as many threads as the machine has.
@@ -250,6 +252,23 @@ impl Canvas {
         let stroke = Stroke { width: pen.width, dash, line_cap, line_join, ..Stroke::default() };
         self.pixels.stroke_path(path, &paint, &stroke, self.transform(), None);
     }
+}
+
+/// An empty vector with room for `bytes` bytes a pixel.
+fn reserved(bytes: usize, size: (u32, u32)) -> Result<Vec<u8>, Error> {
+    let total =
+        usize::try_from(u64::from(size.0) * u64::from(size.1)).ok().and_then(|n| n.checked_mul(bytes));
+    let mut data = Vec::new();
+    match total.map(|total| data.try_reserve_exact(total)) {
+        Some(Ok(())) => Ok(data),
+        _ => Err(no_memory(size)),
+    }
+}
+
+fn no_memory((width, height): (u32, u32)) -> Error {
+    Error::Failed(format!(
+        "there is no memory for a picture of {width}x{height} pixels; ask for a smaller --size"
+    ))
 }
 
 fn skia(Color([r, g, b]): Color) -> tiny_skia::Color {

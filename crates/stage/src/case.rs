@@ -179,7 +179,6 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
             }
         }
         let line = line.trim_ascii_end();
-        let line = if self.line == 1 { line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line) } else { line };
         self.fields = split(line).ok_or_else(|| {
             let (file, number, end) = (self.file, self.line, line.len());
             Error::Request(format!(

@@ -24,10 +24,17 @@ pub fn main(stage: &dyn Stage) -> ExitCode {
 pub fn main_from(stage: &dyn Stage, args: impl IntoIterator<Item = OsString>) -> ExitCode {
     match command(&stage.about()).try_get_matches_from(args) {
         Ok(matches) => finish(serve(stage, &matches)),
-        Err(usage) => {
-            let _ = usage.print();
-            ExitCode::from(usage.exit_code() as u8)
-        }
+        Err(usage) => refuse(&usage),
+    }
+}
+
+/// Prints what the command line's reader has to say, a usage error or the help that was asked for, and
+/// gives its exit status.
+pub fn refuse(usage: &clap::Error) -> ExitCode {
+    let printed = usage.print();
+    match usage.exit_code() {
+        0 => finish(printed.map_err(Error::from_output)),
+        code => ExitCode::from(code as u8),
     }
 }
 
@@ -125,7 +132,7 @@ fn command(about: &About) -> Command {
     let eval = Command::new("eval")
         .about("Answer a case file: one result row a case")
         .after_help(format!(
-            "Reads the columns   {}\nWrites the columns  {}",
+            "Reads the columns   {}\nWrites the columns  {}\n--pixel, --size, --out and --format are for show",
             inputs.join(","),
             results.join(",")
         ))
@@ -183,7 +190,7 @@ fn command(about: &About) -> Command {
 }
 
 /// Reads `COL,ROW`.
-pub fn parse_pixel(text: &str) -> Result<(u32, u32), String> {
+fn parse_pixel(text: &str) -> Result<(u32, u32), String> {
     let number = |text: &str| text.trim().parse::<u32>().ok();
     text.split_once(',')
         .and_then(|(col, row)| Some((number(col)?, number(row)?)))
@@ -191,7 +198,7 @@ pub fn parse_pixel(text: &str) -> Result<(u32, u32), String> {
 }
 
 /// Reads `WIDTHxHEIGHT`: neither 0, and at most 2^28 pixels in all.
-pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     // A number too long for u64 is in any case too large.
     let number = |text: &str| digits(text).then(|| text.parse::<u64>().unwrap_or(u64::MAX));

@@ -32,7 +32,7 @@ pub use ask::{About, Ask, Precision, Shown, Stage};
 pub use canvas::{Anchor, Canvas, Pen};
 pub use case::{Case, Row};
 pub use color::Color;
-pub use command::{default_ask, finish, main, main_from, parse_pixel, parse_size, report};
+pub use command::{default_ask, finish, main, main_from, refuse, report};
 pub use error::Error;
 pub use transcript::{Section, Step, Table, Transcript};
 pub use value::Value;

@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError};
@@ -15,9 +16,10 @@ use crate::{Canvas, Error};
 /// before.
 pub fn write_picture(picture: &Canvas, path: &Path) -> Result<(), Error> {
     let (width, height) = picture.size();
+    let pixels = picture.to_rgb()?;
     write_whole(path, |file| {
         PngEncoder::new_with_quality(file, CompressionType::Fast, FilterType::Adaptive)
-            .write_image(&picture.to_rgb(), width, height, ExtendedColorType::Rgb8)
+            .write_image(&pixels, width, height, ExtendedColorType::Rgb8)
             .map_err(|error| match error {
                 ImageError::IoError(error) => error,
                 other => io::Error::other(other),
@@ -26,7 +28,8 @@ pub fn write_picture(picture: &Canvas, path: &Path) -> Result<(), Error> {
 }
 
 /// Writes a file under another name in the same folder and renames it when it is complete, so that
-/// whoever looks sees the old file or the new one, whole.
+/// whoever looks sees the old file or the new one, whole. A symbolic link stays one: the file that it
+/// leads to is replaced.
 pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
     let failed = |error: io::Error| {
         Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error)))
@@ -34,23 +37,25 @@ pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result
     if path.is_dir() {
         return Err(failed(io::ErrorKind::IsADirectory.into()));
     }
-    let unfinished = unfinished_name(path);
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let unfinished = unfinished_name(&target);
     let written = File::create(&unfinished).and_then(|file| {
         let mut buffer = BufWriter::new(file);
         write(&mut buffer)?;
         buffer.flush()
     });
-    written.and_then(|()| fs::rename(&unfinished, path)).map_err(|error| {
+    written.and_then(|()| fs::rename(&unfinished, &target)).map_err(|error| {
         // Where even the unfinished file could not be made there is none to remove.
         let _ = fs::remove_file(&unfinished);
         failed(error)
     })
 }
 
-/// `.name.PID.part` beside the file: hidden, and no other running process uses it.
+/// `.PID-N.part` beside the file: hidden, and neither another process nor another thread uses it.
 fn unfinished_name(path: &Path) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{}.part", std::process::id()))
+    static WRITTEN: AtomicU32 = AtomicU32::new(0);
+    let number = WRITTEN.fetch_add(1, Ordering::Relaxed);
+    path.with_file_name(format!(".{}-{number}.part", std::process::id()))
 }
 
 /// What went wrong, and what would help.
@@ -60,7 +65,7 @@ fn reason(path: &Path, error: &io::Error) -> String {
         _ => ".".to_string(),
     };
     match error.kind() {
-        io::ErrorKind::NotFound => {
+        io::ErrorKind::NotFound if !Path::new(&folder).is_dir() => {
             format!("there is no folder {folder}; create it, or write elsewhere")
         }
         io::ErrorKind::NotADirectory => format!("{folder} is not a folder; write elsewhere"),

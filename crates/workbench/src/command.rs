@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgMatches, Command, value_parser};
-use stage::{Error, finish};
+use stage::{Error, finish, refuse};
 
 use crate::list::list;
 use crate::run::run;
@@ -22,10 +22,7 @@ pub fn main() -> ExitCode {
             let flushed = output.flush().map_err(Error::from_output);
             finish(done.and(flushed))
         }
-        Err(usage) => {
-            let _ = usage.print();
-            ExitCode::from(usage.exit_code() as u8)
-        }
+        Err(usage) => refuse(&usage),
     }
 }
 

@@ -1,0 +1,125 @@
+//! Requests that are refused, and requests that cannot be done: what is said, and the exit status.
+
+use std::fmt::Write;
+
+use tests::{Folder, STAGES};
+
+use crate::assert_snapshot;
+use crate::process::run;
+
+/// A folder, a file and nothing else.
+fn furnished() -> Folder {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path().join("folder.png")).unwrap();
+    folder.put("file.txt", "a regular file");
+    folder
+}
+
+/// The requests, and the exit status of each.
+const REQUESTS: &[(&[&str], i32)] = &[
+    (&["wander"], 2),
+    (&["show", "extra"], 2),
+    (&["--color"], 2),
+    (&["--method", "guess"], 2),
+    (&["eval", "--method", "guess"], 2),
+    (&["--precision", "f16"], 2),
+    (&["--format", "yaml"], 2),
+    (&["--size", "0x0"], 2),
+    (&["--size", "640x0"], 2),
+    (&["--size", "100000000x100000000"], 2),
+    (&["--size", "99999999999999999999x1"], 2),
+    (&["--size", "large"], 2),
+    (&["--size", "640"], 2),
+    (&["--size=-640x400"], 2),
+    (&["--size", ""], 2),
+    (&["--size", "64x48", "--pixel", "64,0"], 2),
+    (&["--size", "64x48", "--pixel", "0,48"], 2),
+    (&["--pixel", "4000000000,4000000000"], 2),
+    (&["--pixel", "99999999999,0"], 2),
+    (&["--pixel", "3"], 2),
+    (&["--pixel", "3;4"], 2),
+    (&["--pixel=-1,0"], 2),
+    (&["--pixel", "1.5,0"], 2),
+    (&["--out"], 2),
+    (&["--out", ""], 2),
+    (&["--out", "picture"], 2),
+    (&["--out", "picture.jpg"], 2),
+    (&["--out", "missing/picture.png"], 1),
+    (&["--out", "folder.png"], 1),
+    (&["--out", "file.txt/picture.png"], 1),
+];
+
+#[test]
+fn a_bad_request_is_refused_and_leaves_nothing() {
+    for stage in STAGES {
+        let name = stage.about().name;
+        let mut said = String::new();
+        for (args, status) in REQUESTS {
+            let folder = furnished();
+            let run = run(folder.path(), name, args);
+            assert_eq!(run.status, *status, "{name} {args:?}: {}", run.errors);
+            assert!(run.output.is_empty() && run.errors.starts_with("error: "), "{name} {args:?}");
+            assert_eq!(folder.names(), ["file.txt", "folder.png"], "{name} {args:?}");
+            let empty = std::fs::read_dir(folder.path().join("folder.png")).unwrap().next().is_none();
+            assert!(empty, "{name} {args:?}");
+            let args: Vec<_> = args.iter().map(|arg| if arg.is_empty() { "''" } else { arg }).collect();
+            writeln!(said, "$ {name} {}\n{}exit status {}\n", args.join(" "), run.errors, run.status)
+                .unwrap();
+        }
+        assert_snapshot(&format!("{name}.bad-requests"), &said);
+    }
+}
+
+#[test]
+fn a_file_named_out_is_in_the_way_of_the_folder() {
+    for stage in STAGES {
+        let folder = Folder::new();
+        folder.put("out", "a regular file");
+        let run = run(folder.path(), stage.about().name, &[]);
+        assert_eq!(run.status, 1);
+        assert!(run.errors.contains("cannot make the folder out"), "{}", run.errors);
+        assert!(run.errors.contains("--out"), "what would help: {}", run.errors);
+        assert_eq!(folder.names(), ["out"]);
+    }
+}
+
+/// Where not even root may make a file: what a missing permission is for others.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_may_not_be_written_to_is_a_failure() {
+    for stage in STAGES {
+        let folder = Folder::new();
+        for out in ["/proc/picture.png", "/sys/picture.png"] {
+            let run = run(folder.path(), stage.about().name, &["--out", out]);
+            assert_eq!((run.status, run.output.as_str()), (1, ""));
+            assert!(run.errors.starts_with(&format!("error: cannot write {out}: ")), "{}", run.errors);
+        }
+        assert!(folder.names().is_empty());
+    }
+}
+
+#[test]
+fn the_old_picture_survives_a_bad_request() {
+    for stage in STAGES {
+        let folder = Folder::new();
+        folder.put("picture.png", "an old file");
+        let run = run(folder.path(), stage.about().name, &["--out", "picture.png", "--size", "0x0"]);
+        assert_eq!(run.status, 2);
+        assert_eq!(std::fs::read(folder.path().join("picture.png")).unwrap(), b"an old file");
+    }
+}
+
+/// The grid `edges` divides by width − 1 and height − 1.
+#[test]
+fn a_pixel_of_one_column_has_no_place_on_the_grid_of_edges() {
+    for stage in STAGES.iter().filter(|stage| stage.about().methods.contains(&"edges")) {
+        let folder = Folder::new();
+        for size in ["1x1", "1x5", "5x1"] {
+            let args = ["--method", "edges", "--size", size, "--pixel", "0,0", "--out", "picture.png"];
+            let run = run(folder.path(), stage.about().name, &args);
+            assert_eq!((run.status, run.output.as_str()), (2, ""), "{size}: {}", run.errors);
+            assert!(run.errors.contains("at least two columns and two rows"), "{}", run.errors);
+        }
+        assert!(folder.names().is_empty());
+    }
+}

@@ -1,0 +1,105 @@
+//! The commands that are in order.
+
+use tests::{Folder, STAGES};
+
+use crate::assert_snapshot;
+use crate::cases::{answers, header, plain_row};
+use crate::process::{run, run_with_input};
+
+#[test]
+fn show_is_what_a_stage_does_by_itself() {
+    for stage in STAGES {
+        let (folder, name) = (Folder::new(), stage.about().name);
+        let [bare, named] = [&[][..], &["show"]].map(|args| run(folder.path(), name, args));
+        assert_eq!((bare.status, bare.errors.as_str()), (0, ""));
+        assert_eq!(bare.output, named.output);
+        assert!(bare.output.ends_with(&format!("\npicture: out/{name}.png\n")), "{}", bare.output);
+        assert_eq!(folder.names(), ["out"]);
+        let pictures = std::fs::read_dir(folder.path().join("out")).unwrap();
+        let pictures: Vec<_> = pictures.map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(pictures, [format!("{name}.png").as_str()]);
+    }
+}
+
+#[test]
+fn show_prints_json() {
+    for stage in STAGES {
+        let (folder, name) = (Folder::new(), stage.about().name);
+        let shown = run(folder.path(), name, &["show", "--format", "json", "--out", "picture.png"]);
+        assert_eq!((shown.status, shown.errors.as_str()), (0, ""));
+        assert_snapshot(&format!("{name}.json"), &shown.output);
+    }
+}
+
+#[test]
+fn flags_stand_before_or_after_the_verb() {
+    for stage in STAGES {
+        let (folder, name) = (Folder::new(), stage.about().name);
+        let [before, after] = [
+            ["--precision", "f32", "--size", "64x48", "--pixel", "63,47", "--out", "a.png", "show"],
+            ["show", "--precision", "f32", "--size", "64x48", "--pixel", "63,47", "--out", "a.png"],
+        ]
+        .map(|args| run(folder.path(), name, &args));
+        assert_eq!((before.status, before.errors.as_str()), (0, ""));
+        assert_eq!(before.output, after.output);
+    }
+}
+
+#[test]
+fn a_new_picture_takes_the_place_of_the_old_one() {
+    for stage in STAGES {
+        let (folder, name) = (Folder::new(), stage.about().name);
+        folder.put("picture.PNG", "an old file");
+        let shown = run(folder.path(), name, &["--size", "64x48", "--out", "picture.PNG"]);
+        assert_eq!((shown.status, folder.names()), (0, vec!["picture.PNG".to_string()]), "{}", shown.errors);
+        let picture = image::open(folder.path().join("picture.PNG")).unwrap();
+        assert_eq!((picture.width(), picture.height()), (64, 48));
+    }
+}
+
+#[test]
+fn cases_come_from_a_file_or_through_a_pipe() {
+    for stage in STAGES {
+        let (folder, name) = (Folder::new(), stage.about().name);
+        let (header, row) = (header(*stage), plain_row(*stage));
+        let plain = format!("{header}\n{row}\n");
+        folder.put("cases.csv", &plain);
+        let file = run(folder.path(), name, &["eval", "--cases", "cases.csv"]);
+        let pipe = run_with_input(folder.path(), name, &["eval"], plain.as_bytes());
+        assert_eq!((file.status, file.errors.as_str()), (0, ""));
+        assert_eq!(file.output, pipe.output);
+        let lines: Vec<&str> = file.output.lines().collect();
+        assert_eq!((lines[0], lines.len()), (stage.about().results.join(",").as_str(), 2));
+        assert_eq!(folder.names(), ["cases.csv"], "eval writes no file");
+    }
+}
+
+#[test]
+fn the_form_of_a_case_file_does_not_matter() {
+    for stage in STAGES {
+        let (header, row) = (header(*stage), plain_row(*stage));
+        let plain = answers(*stage, &format!("{header}\n{row}\n{row}\n"));
+        let quoted = row.split(',').map(|field| format!("\"{field}\"")).collect::<Vec<_>>().join(",");
+        let [backward_header, backward_row] =
+            [&header, &row].map(|line| line.split(',').rev().collect::<Vec<_>>().join(","));
+        for (form, text) in [
+            ("lines end with CR LF", format!("{header}\r\n{row}\r\n{row}\r\n")),
+            ("a byte order mark", format!("\u{feff}{header}\n{row}\n{row}\n")),
+            ("no line end after the last row", format!("{header}\n{row}\n{row}")),
+            ("blank lines", format!("\n{header}\n\n{row}\n  \n{row}\n\n")),
+            ("quotes", format!("{header}\n{quoted}\n{quoted}\n")),
+            ("spaces around the numbers", format!("{header}\n{}\n{row}\n", row.replace(',', " , "))),
+            ("more columns", format!("remark,{header},t\n\"a, \"\"b\"\"\",{row},\nabc,{row},nan\n")),
+            ("another order", format!("{backward_header}\n{backward_row}\n{backward_row}\n")),
+        ] {
+            assert_eq!(answers(*stage, &text), plain, "{}: {form}", stage.about().name);
+        }
+    }
+}
+
+#[test]
+fn a_header_alone_is_a_file_without_cases() {
+    for stage in STAGES {
+        assert!(answers(*stage, &header(*stage)).is_empty());
+    }
+}
