@@ -56,8 +56,8 @@ impl CertainSum {
 const SUM_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
 /// What that error may be of the sum: a quarter of the last digit of an `f64`.
 const HARMLESS: f64 = 1.0 / (1u64 << 55) as f64;
-/// Between these, products and their errors neither overflow nor vanish.
-const SAFE: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
+/// Between these, a sum of products and its errors neither overflow nor vanish.
+const SAFE: std::ops::RangeInclusive<f64> = 1e-200..=1e200;
 
 /// Works out the robust method.
 pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
@@ -79,14 +79,10 @@ pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
 
 /// n · v with twice the digits; `None` where the error left could matter.
 fn in_two_parts(n: [f64; 3], v: [TwoPart; 3]) -> Option<CertainSum> {
-    let largest = |v: [f64; 3]| v.into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    if !SAFE.contains(&largest(n)) || !SAFE.contains(&largest(v.map(|x| x.hi))) {
-        return None;
-    }
     let products: [TwoPart; 3] = std::array::from_fn(|axis| TwoPart::from(n[axis]) * v[axis]);
     let sum = products[0] + products[1] + products[2];
     let size: f64 = products.iter().map(|product| product.hi.abs()).sum();
-    let certain = SUM_ERROR * size <= HARMLESS * sum.hi.abs();
+    let certain = SAFE.contains(&size) && SUM_ERROR * size <= HARMLESS * sum.hi.abs();
     certain.then(|| CertainSum::new(Wide::from(sum), false))
 }
 
@@ -166,6 +162,20 @@ mod tests {
         let plane = Plane { point: DVec3::ZERO, normal: DVec3::new(big, -big, 1.0) };
         let ray = Ray3::<f64>::new(DVec3::new(0.0, 0.0, 1.0), DVec3::new(1.0, 1.0, -tiny));
         assert_eq!(robust(&ray, &plane).meeting(), Meeting::At(1.0 / tiny));
+    }
+
+    /// The large component of the one vector meets the small one of the other, on every axis.
+    #[test]
+    fn products_that_vanish_are_summed_exactly() {
+        let ray = Ray3::<f64>::new(DVec3::new(0.0, 0.0, 1e-40), DVec3::new(1.0, 1e-300, 1e-300));
+        let plane = Plane { point: DVec3::ZERO, normal: DVec3::new(-1e-300, 1e-15, 1.0) };
+        // by hand: n · u_r = −1e−300 + 1e−315 + 1e−300 = 1e−315, and t = −1e−40 / 1e−315
+        let work = robust(&ray, &plane);
+        assert!(work.n_dot_u.exact);
+        let Meeting::At(t) = work.meeting() else { panic!("not parallel") };
+        assert!((t / -1e275 - 1.0).abs() < 1e-15, "{t:e}");
+        let as_printed = crate::notes(&ray, &plane).t;
+        assert!((as_printed / -1e275 - 1.0).abs() > 1e-12, "as printed: {as_printed:e}");
     }
 
     #[test]
