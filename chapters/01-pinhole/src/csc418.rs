@@ -1,18 +1,21 @@
 //! CSC418 11.2: from edge to edge of the window, for a camera anywhere.
 
-use math::grid::edges;
 use math::{Camera, NoGrid, Real, Vector};
 
 /// Every number on the way to CSC418's ray through pixel (i, j), column i, row j, (0, 0) on top.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Csc418Pixel<R: Real> {
+    /// The column.
+    pub i: u32,
+    /// The row.
+    pub j: u32,
     /// Δu = (w_r − w_l) / (n_c − 1)
     pub delta_u: R,
     /// Δv = (w_b − w_t) / (n_r − 1), negative: rows go down.
     pub delta_v: R,
     /// p̄_C = (w_l + i Δu, w_t + j Δv, f), in camera coordinates.
     pub p_camera: R::Vec3,
-    /// p̄_W, the same point in world coordinates: the columns u, v, w times p̄_C, plus ē.
+    /// p̄_W, the same point in world coordinates: the columns u⃗, v⃗, w⃗ times p̄_C, plus ē.
     pub p_world: R::Vec3,
     /// d⃗ = p̄_W − ē. The ray p̄_W + λ d⃗ starts on the view plane.
     pub d: R::Vec3,
@@ -23,26 +26,25 @@ pub struct Csc418Pixel<R: Real> {
 /// [`NoGrid`] with one column or one row: the page divides by n_c − 1 and n_r − 1.
 pub fn csc418_pixel<R: Real>(
     camera: &Camera<R>,
-    size: (u32, u32),
-    pixel: (u32, u32),
+    (columns, rows): (u32, u32),
+    (i, j): (u32, u32),
 ) -> Result<Csc418Pixel<R>, NoGrid> {
+    if columns < 2 || rows < 2 {
+        return Err(NoGrid);
+    }
+    let [n_c, n_r, column, row] = [columns, rows, i, j].map(|number| R::round_from(f64::from(number)));
+    let one = R::from(1.0);
     let window = camera.window;
-    let (x, y) = edges(&window, size, pixel)?;
-    let [columns, rows] = [size.0 - 1, size.1 - 1].map(|n| R::round_from(f64::from(n)));
-    let p_world = camera.view_plane((x, y));
-    Ok(Csc418Pixel {
-        delta_u: (window.right - window.left) / columns,
-        delta_v: (window.bottom - window.top) / rows,
-        p_camera: R::vec3(x, y, camera.f),
-        p_world,
-        d: p_world - camera.e,
-    })
-}
 
-/// A ray from p̄_ij on the view plane, with λ > 0, cannot see what stands before the view plane; in
-/// lengths of d⃗ from the eye it starts at t = 1.
-pub fn t_from_eye<R: Real>(lambda: R) -> R {
-    lambda + R::from(1.0)
+    let delta_u = (window.right - window.left) / (n_c - one);
+    let delta_v = (window.bottom - window.top) / (n_r - one);
+    let (x, y) = (window.left + column * delta_u, window.top + row * delta_v);
+    let p_camera = R::vec3(x, y, camera.f);
+
+    let p_world = camera.u * x + camera.v * y + camera.w * camera.f + camera.e;
+    let d = p_world - camera.e;
+
+    Ok(Csc418Pixel { i, j, delta_u, delta_v, p_camera, p_world, d })
 }
 
 /// The distance of a point from the image plane (p̄ − r̄) · w⃗ = 0, where r̄ = ē + f w⃗.
@@ -55,6 +57,7 @@ pub fn off_image_plane<R: Real>(camera: &Camera<R>, point: R::Vec3) -> R {
 mod tests {
     use super::*;
     use glam::DVec3;
+    use math::grid::edges;
     use math::{Handedness, Window};
 
     fn camera() -> Camera<f64> {
@@ -82,12 +85,24 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_pages_formula_is_the_grid() {
+        let window = Window { left: -0.3, right: 0.9, bottom: -0.7, top: 0.1 };
+        let camera = Camera { window, ..camera() };
+        for (col, row) in (0..7).flat_map(|col| (0..9).map(move |row| (col, row))) {
+            let (x, y) = edges(&window, (7, 9), (col, row)).unwrap();
+            let p = csc418_pixel(&camera, (7, 9), (col, row)).unwrap().p_camera;
+            // a handful of roundings of numbers below 2
+            assert!((p.x - x).abs().max((p.y - y).abs()) < 6.0 * f64::EPSILON, "{p} {x} {y}");
+        }
+    }
+
     /// With one column Δu divides by zero (slip 15).
     #[test]
     fn as_printed_one_column_has_no_grid() {
-        let window = camera().window;
-        let as_printed = (window.right - window.left) / (1.0 - 1.0);
-        assert_eq!(as_printed, f64::INFINITY);
+        let Window { left, right, .. } = camera().window;
+        let as_printed = |n_c: f64, i: f64| left + i * ((right - left) / (n_c - 1.0));
+        assert!(as_printed(5.0, 0.0) == left && as_printed(1.0, 0.0).is_nan(), "0 · ∞");
         assert_eq!(csc418_pixel(&camera(), (1, 3), (0, 0)), Err(NoGrid));
     }
 
@@ -99,7 +114,8 @@ mod tests {
         let from_plane = math::Ray3::<f64>::new(pixel.p_world, pixel.d);
         let from_eye = math::Ray3::<f64>::new(camera().e, pixel.d);
         for lambda in [-1.0, -0.5, 0.0, 2.0] {
-            assert_eq!(from_plane.at(lambda), from_eye.at(t_from_eye(lambda)));
+            let t = lambda + 1.0;
+            assert_eq!(from_plane.at(lambda), from_eye.at(t));
         }
         assert_eq!(from_plane.at(-1.0), camera().e, "the eye itself is at λ = −1, behind the ray");
     }

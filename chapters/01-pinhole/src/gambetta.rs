@@ -1,45 +1,76 @@
 //! Gambetta, "Canvas to Viewport": canvas coordinates about the center, scaled.
 
-use math::grid::lattice;
 use math::{Real, Window};
 
 /// Every number on the way to Gambetta's ray through a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GambettaPixel<R: Real> {
-    /// C_x = col − C_w/2, from the center of the canvas to the right.
+    /// C_w and C_h, the canvas in pixels.
+    pub canvas: (R, R),
+    /// V_w and V_h, the viewport in units of the scene.
+    pub viewport: (R, R),
+    /// C_x, from the center of the canvas to the right.
     pub c_x: R,
-    /// C_y = C_h/2 − row, from the center up.
+    /// C_y, from the center up.
     pub c_y: R,
-    /// V = (C_x V_w/C_w, C_y V_h/C_h, d), on the viewport. O is the origin, so this is D = V − O, too.
+    /// V = (V_x, V_y, d), on the viewport. O is the origin, so this is D = V − O, too.
     pub v: R::Vec3,
 }
 
-/// The ray through pixel (col, row) of a canvas of `size` pixels (row 0 on top) to a viewport at
-/// distance `d`: `CanvasToViewport` (Listing 2-3).
-pub fn gambetta_pixel<R: Real>(
+/// `CanvasToViewport(x, y)` (Listing 2-3): V_x = C_x V_w/C_w, V_y = C_y V_h/C_h, V_z = d.
+///
+/// His viewport lies about the axis; one that does not is shifted by its center.
+pub fn canvas_to_viewport<R: Real>(
     window: &Window<R>,
     d: R,
-    size: (u32, u32),
-    pixel: (u32, u32),
+    (columns, rows): (u32, u32),
+    (c_x, c_y): (R, R),
 ) -> GambettaPixel<R> {
-    let [width, height, col, row] = [size.0, size.1, pixel.0, pixel.1].map(|n| R::round_from(f64::from(n)));
-    let half = R::from(0.5);
-    let (v_x, v_y) = lattice(window, size, pixel);
-    GambettaPixel { c_x: col - width * half, c_y: height * half - row, v: R::vec3(v_x, v_y, d) }
+    let [c_w, c_h] = [columns, rows].map(|number| R::round_from(f64::from(number)));
+    let (v_w, v_h) = (window.right - window.left, window.top - window.bottom);
+    let (center_x, center_y) = window.center();
+
+    let v_x = c_x * v_w / c_w;
+    let v_y = c_y * v_h / c_h;
+    let v = R::vec3(center_x + v_x, center_y + v_y, d);
+
+    GambettaPixel { canvas: (c_w, c_h), viewport: (v_w, v_h), c_x, c_y, v }
 }
 
-/// Listing 2-2: for x = −C_w/2 to C_w/2, for y = −C_h/2 to C_h/2, put a pixel.
+/// The canvas coordinates of pixel (col, row), row 0 on top: x = col − C_w/2, y = C_h/2 − row. The
+/// halves are real quotients: an odd canvas has coordinates …, −0.5, 0.5, ….
+pub fn canvas_coordinates<R: Real>((columns, rows): (u32, u32), (col, row): (u32, u32)) -> (R, R) {
+    let [c_w, c_h, col, row] = [columns, rows, col, row].map(|number| R::round_from(f64::from(number)));
+    let half = R::from(0.5);
+    (col - c_w * half, c_h * half - row)
+}
+
+/// `PutPixel`'s other way round: the column and row of canvas coordinates.
+pub fn canvas_pixel<R: Real>((columns, rows): (u32, u32), (x, y): (R, R)) -> (u32, u32) {
+    let (x, y): (f64, f64) = (x.into(), y.into());
+    ((f64::from(columns) / 2.0 + x) as u32, (f64::from(rows) / 2.0 - y) as u32)
+}
+
+/// The main method (Listing 2-2): for x = −C_w/2 to C_w/2, for y = −C_h/2 to C_h/2, trace the ray and
+/// put the pixel.
 ///
-/// `put_pixel(x, y, pixel)` takes canvas coordinates and the (col, row) they belong to. With both
-/// ends the loop would visit C_w + 1 columns; the left and top ends stay, the right and bottom ones go.
-pub fn main_method((columns, rows): (u32, u32), mut put_pixel: impl FnMut(f64, f64, (u32, u32))) {
-    let (c_w, c_h) = (f64::from(columns), f64::from(rows));
-    for col in 0..columns {
-        let x = -c_w / 2.0 + f64::from(col);
+/// `trace_ray` returns the color that the ray from O along D sees, `put_pixel` takes canvas
+/// coordinates. With both ends the loop would visit C_w + 1 columns: the left and top ends stay, the
+/// right and bottom ones go.
+pub fn main_method<R: Real, C>(
+    window: &Window<R>,
+    d: R,
+    canvas: (u32, u32),
+    trace_ray: impl Fn(R::Vec3) -> C,
+    mut put_pixel: impl FnMut((R, R), C),
+) {
+    for col in 0..canvas.0 {
         // y grows upward: from the bottom, one above −C_h/2, to the top.
-        for row in (0..rows).rev() {
-            let y = c_h / 2.0 - f64::from(row);
-            put_pixel(x, y, (col, row));
+        for row in (0..canvas.1).rev() {
+            let (x, y) = canvas_coordinates(canvas, (col, row));
+            let direction = canvas_to_viewport(window, d, canvas, (x, y)).v;
+            let color = trace_ray(direction);
+            put_pixel((x, y), color);
         }
     }
 }
@@ -48,16 +79,24 @@ pub fn main_method((columns, rows): (u32, u32), mut put_pixel: impl FnMut(f64, f
 mod tests {
     use super::*;
     use glam::DVec3;
+    use math::grid::lattice;
+    use math::{Camera, Handedness};
 
     const VIEWPORT: Window<f64> = Window { left: -0.5, right: 0.5, bottom: -0.5, top: 0.5 };
 
+    fn visited(canvas: (u32, u32)) -> Vec<(f64, f64)> {
+        let mut visited = Vec::new();
+        main_method(&VIEWPORT, 1.0, canvas, |_: DVec3| (), |place, ()| visited.push(place));
+        visited
+    }
+
     #[test]
-    fn canvas_to_viewport() {
-        // Listing 2-3 by hand, V_w = V_h = d = 1 on a canvas of 4 × 4
-        let pixel = gambetta_pixel(&VIEWPORT, 1.0, (4, 4), (3, 1));
-        assert_eq!((pixel.c_x, pixel.c_y), (1.0, 1.0));
-        assert_eq!(pixel.v, DVec3::new(0.25, 0.25, 1.0));
-        assert_eq!(gambetta_pixel(&VIEWPORT, 1.0, (4, 4), (2, 2)).v, DVec3::new(0.0, 0.0, 1.0), "the center");
+    fn listing_2_3() {
+        // by hand, V_w = V_h = d = 1 on a canvas of 4 × 4
+        let pixel = canvas_to_viewport(&VIEWPORT, 1.0, (4, 4), (1.0, -2.0));
+        assert_eq!(pixel.v, DVec3::new(0.25, -0.5, 1.0));
+        assert_eq!(canvas_coordinates::<f64>((4, 4), (3, 1)), (1.0, 1.0));
+        assert_eq!(canvas_coordinates::<f64>((5, 3), (0, 0)), (-2.5, 1.5));
     }
 
     /// `for x = -Cw/2 to Cw/2` with both ends visits one column too many (slip 8).
@@ -65,33 +104,38 @@ mod tests {
     fn as_printed_there_are_five_columns_on_a_canvas_of_four() {
         let as_printed = (-2..=2).count();
         assert_eq!(as_printed, 5);
-        let mut columns: Vec<f64> = Vec::new();
-        main_method((4, 4), |x, _, _| columns.push(x));
+        let mut columns: Vec<f64> = visited((4, 4)).into_iter().map(|(x, _)| x).collect();
         columns.dedup();
         assert_eq!(columns, [-2.0, -1.0, 0.0, 1.0]);
     }
 
-    /// House's loop and Gambetta's visit the same pixels, each once, in different orders.
     #[test]
-    fn both_loops_visit_the_same_pixels() {
-        let size = (5, 3);
-        let (mut house, mut gambetta) = (Vec::new(), Vec::new());
-        crate::house::raycast(size, |_, j, row| house.push((j, row)));
-        main_method(size, |_, _, pixel| gambetta.push(pixel));
-        assert_ne!(house, gambetta, "House goes row by row, Gambetta column by column");
-        house.sort_unstable();
-        gambetta.sort_unstable();
-        assert_eq!(house, gambetta);
-        house.dedup();
-        assert_eq!(house.len(), 15);
+    fn every_pixel_is_put_once() {
+        let canvas = (5, 3);
+        let mut pixels: Vec<_> =
+            visited(canvas).into_iter().map(|place| canvas_pixel(canvas, place)).collect();
+        pixels.sort_unstable();
+        let all: Vec<_> = (0..5).flat_map(|col| (0..3).map(move |row| (col, row))).collect();
+        assert_eq!(pixels, all);
+    }
+
+    #[test]
+    fn the_listing_is_the_grid() {
+        let window = Window { left: -0.3, right: 0.9, bottom: -0.7, top: 0.1 };
+        for (col, row) in (0..7).flat_map(|col| (0..9).map(move |row| (col, row))) {
+            let v: DVec3 = canvas_to_viewport(&window, 1.0, (7, 9), canvas_coordinates((7, 9), (col, row))).v;
+            assert_eq!((v.x, v.y), lattice(&window, (7, 9), (col, row)));
+        }
     }
 
     /// x right, y up, z into the screen is a left-handed frame; House's is right-handed (slip 11).
     #[test]
     fn his_axes_are_left_handed() {
-        let (right, up, forward) = (DVec3::X, DVec3::Y, DVec3::Z);
-        assert_eq!(right.cross(up).dot(forward), 1.0, "u × v points along the view");
-        let (right, up, forward) = (DVec3::X, DVec3::Y, -DVec3::Z);
-        assert_eq!(right.cross(up).dot(forward), -1.0, "House: u × v points back at the eye");
+        let right = |forward, handedness| {
+            Camera::<f64>::looking(DVec3::ZERO, forward, DVec3::Y, handedness, 1.0, VIEWPORT).unwrap().u
+        };
+        assert_eq!(right(DVec3::Z, Handedness::Left), DVec3::X, "Gambetta");
+        assert_eq!(right(-DVec3::Z, Handedness::Right), DVec3::X, "House");
+        assert_eq!(right(DVec3::Z, Handedness::Right), -DVec3::X, "mixed, the picture is mirrored");
     }
 }

@@ -1,6 +1,5 @@
 //! House 4.1: through the center of each pixel.
 
-use math::grid::centers;
 use math::{Real, Vector, Window};
 
 /// Every number on the way to House's ray through pixel (i, j).
@@ -13,6 +12,10 @@ pub struct HousePixel<R: Real> {
     pub i: u32,
     /// The column.
     pub j: u32,
+    /// w and h, the width and height of the viewscreen.
+    pub screen: (R, R),
+    /// c_x and c_y, the center of the screen; zero for a camera that looks through its middle.
+    pub c: (R, R),
     /// w / N, the width of one pixel.
     pub pixwidth: R,
     /// h / M, the height of one pixel.
@@ -23,86 +26,97 @@ pub struct HousePixel<R: Real> {
     pub u_r: R::Vec3,
 }
 
-/// The ray through the center of pixel (col, row) of a picture of `size` pixels (row 0 on top) in a
-/// window at distance `z_p`.
-///
-/// The page's row i grows with y, so its row 0 is the bottom one: i = M − 1 − row.
+/// The ray through the center of pixel (i, j) of a picture of N columns and M rows, in a window at
+/// distance `z_p`.
 pub fn house_pixel<R: Real>(
     window: &Window<R>,
     z_p: R,
-    size: (u32, u32),
-    pixel: (u32, u32),
+    (columns, rows): (u32, u32),
+    (i, j): (u32, u32),
 ) -> HousePixel<R> {
-    let (columns, rows) = size;
-    let (p_x, p_y) = centers(window, size, pixel);
+    let [n, m, row, column] = [columns, rows, i, j].map(|number| R::round_from(f64::from(number)));
+    let (two, half) = (R::from(2.0), R::from(0.5));
+    let (w, h) = (window.right - window.left, window.top - window.bottom);
+    let (c_x, c_y) = window.center();
+
+    let pixheight = h / m;
+    let pixwidth = w / n;
+    let p_y = c_y - h / two + pixheight * (row + half);
+    let p_x = c_x - w / two + pixwidth * (column + half);
     let p = R::vec3(p_x, p_y, z_p);
-    HousePixel {
-        i: rows.saturating_sub(1 + pixel.1),
-        j: pixel.0,
-        pixwidth: (window.right - window.left) / R::round_from(f64::from(columns)),
-        pixheight: (window.top - window.bottom) / R::round_from(f64::from(rows)),
-        p,
-        u_r: p / p.length(),
-    }
+    let u_r = p / p.length();
+
+    HousePixel { i, j, screen: (w, h), c: (c_x, c_y), pixwidth, pixheight, p, u_r }
 }
 
-/// House's loop over an image of M rows and N columns: for each row i, for each column j, shoot a ray
-/// and shade what it hits.
+/// House's row of a row of a picture file: his row 0 is the bottom one, since i grows with y.
+pub fn house_row(rows: u32, row: u32) -> u32 {
+    rows.saturating_sub(1 + row)
+}
+
+/// House's algorithm: for each row, for each column, shoot a ray and shade what it hits.
 ///
-/// `paint(i, j, row)` stands for `image[i][j] = shade(shoot(u_r))`; `row` is where row i belongs in
-/// a picture file, whose row 0 is the top. With `image[i]` written out as it stands, the picture is on
-/// its head.
-pub fn raycast((columns, rows): (u32, u32), mut paint: impl FnMut(u32, u32, u32)) {
+/// `shoot` returns the position of the first hit of the ray from the eye along u_r, `shade` the color
+/// for it. The image comes back as the page has it, `image[i][j]` with row 0 at the bottom; written to
+/// a file like that, it stands on its head.
+pub fn raycast<R: Real, C>(
+    window: &Window<R>,
+    z_p: R,
+    (columns, rows): (u32, u32),
+    shoot: impl Fn(R::Vec3) -> Option<R::Vec3>,
+    shade: impl Fn(Option<R::Vec3>) -> C,
+) -> Vec<Vec<C>> {
+    let mut image = Vec::new();
     for i in 0..rows {
+        let mut line = Vec::new();
         for j in 0..columns {
-            paint(i, j, rows - 1 - i);
+            let u_r = house_pixel(window, z_p, (columns, rows), (i, j)).u_r;
+            let x = shoot(u_r);
+            line.push(shade(x));
         }
+        image.push(line);
     }
+    image
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use glam::DVec3;
+    use math::grid::centers;
 
     const WINDOW: Window<f64> = Window { left: -2.5, right: 2.5, bottom: -1.5, top: 1.5 };
 
-    /// The page's code, typed from its formulas: p_y = c_y − h/2 + pixheight (i + 0.5), and so on.
-    fn as_printed(i: u32, j: u32) -> (f64, f64) {
-        let (w, h, m, n) = (5.0, 3.0, 3.0, 5.0);
-        (-w / 2.0 + w / n * (f64::from(j) + 0.5), -h / 2.0 + h / m * (f64::from(i) + 0.5))
-    }
-
     #[test]
     fn the_first_pixel_of_the_picture_is_in_the_pages_last_row() {
-        let pixel = house_pixel(&WINDOW, 2.0, (5, 3), (0, 0));
-        assert_eq!((pixel.i, pixel.j), (2, 0));
-        assert_eq!(as_printed(2, 0), (-2.0, 1.0));
-        // ‖(−2, 1, 2)‖ = 3
-        assert_eq!(pixel.p, DVec3::new(-2.0, 1.0, 2.0));
+        let pixel = house_pixel(&WINDOW, 2.0, (5, 3), (house_row(3, 0), 0));
+        // by hand: −2.5 + 0.5 and −1.5 + 2.5; ‖(−2, 1, 2)‖ = 3
+        assert_eq!((pixel.i, pixel.p), (2, DVec3::new(-2.0, 1.0, 2.0)));
         assert_eq!(pixel.u_r, DVec3::new(-2.0, 1.0, 2.0) / 3.0);
     }
 
     /// Row i grows with y, so row 0 is at the bottom; a picture file's row 0 is its top (slip 4).
     #[test]
     fn as_printed_the_picture_stands_on_its_head() {
-        let mut heights_as_printed = Vec::new();
-        let mut heights = [0.0; 3];
-        raycast((5, 3), |i, j, row| {
-            if j == 0 {
-                heights_as_printed.push(as_printed(i, j).1); // image[i] is the i-th row of the file
-                heights[row as usize] = as_printed(i, j).1;
-            }
-        });
-        assert_eq!(heights_as_printed, [-1.0, 0.0, 1.0], "as printed, the top row looks down");
-        assert_eq!(heights, [1.0, 0.0, -1.0], "the top row looks up");
+        let heights: Vec<f64> = raycast(&WINDOW, 2.0, (5, 3), |u_r: DVec3| Some(u_r), |x| x.unwrap().y)
+            .into_iter()
+            .map(|line| line[2] * 2.0)
+            .collect();
+        assert!(heights[0] < 0.0 && heights[2] > 0.0, "as printed, the top row looks down: {heights:?}");
+        let file: Vec<f64> = (0..3).map(|row| heights[house_row(3, row) as usize]).collect();
+        assert!(file[0] > 0.0 && file[2] < 0.0, "the top row looks up: {file:?}");
     }
 
+    /// Counted from the bottom or from the top, the centers are the same points.
     #[test]
-    fn every_pixel_agrees_with_the_page() {
-        raycast((5, 3), |i, j, row| {
-            let pixel = house_pixel(&WINDOW, 2.0, (5, 3), (j, row));
-            assert_eq!((pixel.i, pixel.p.x, pixel.p.y), (i, as_printed(i, j).0, as_printed(i, j).1));
-        });
+    fn the_pages_formula_is_the_grid() {
+        let window = Window { left: -0.3, right: 0.9, bottom: -0.7, top: 0.1 };
+        let size = (7, 9);
+        for (row, col) in (0..9).flat_map(|row| (0..7).map(move |col| (row, col))) {
+            let (x, y) = centers(&window, size, (col, row));
+            let p: DVec3 = house_pixel(&window, 1.0, size, (house_row(9, row), col)).p;
+            // half a dozen roundings of numbers below 2
+            assert!((p.x - x).abs().max((p.y - y).abs()) < 6.0 * f64::EPSILON, "{p} {x} {y}");
+        }
     }
 }

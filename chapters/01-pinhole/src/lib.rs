@@ -7,9 +7,12 @@
 //!
 //! Where on the view plane a pixel lies is a matter of taste, and each of the three notes has its own:
 //! [`house`] takes the centers of the pixels, [`gambetta`] a lattice of their corners, [`csc418`] a
-//! grid from edge to edge. Each returns a struct with every number on the way to the ray.
+//! grid from edge to edge. Each returns a struct with every number on the way to the ray, by the
+//! formula of its page. (Later chapters take the same points from [`math::Grid`].)
 
 pub mod csc418;
+#[cfg(feature = "stage")]
+mod explain;
 pub mod gambetta;
 pub mod house;
 pub mod letter;
@@ -20,6 +23,6 @@ pub mod projection;
 pub mod stage;
 
 pub use csc418::{Csc418Pixel, csc418_pixel};
-pub use gambetta::{GambettaPixel, gambetta_pixel};
-pub use house::{HousePixel, house_pixel};
+pub use gambetta::{GambettaPixel, canvas_coordinates, canvas_to_viewport};
+pub use house::{HousePixel, house_pixel, house_row};
 pub use projection::{CastThrough, Projection, cast_through, project};

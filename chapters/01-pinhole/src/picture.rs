@@ -1,7 +1,7 @@
 //! The picture: the pinhole turned round, and the three grids.
 
 use math::grid::centers;
-use math::{Grid, Ray3, Real, Window};
+use math::{Grid, Real, Window};
 use stage::{Anchor, Canvas, Color, Error, Pen, View};
 
 use crate::stage::{HOUSE_SIZE, house_window};
@@ -26,14 +26,14 @@ fn side_view(canvas: &mut Canvas) {
     let view = View::new((-2.9, -1.75), (5.1, 2.45), (10.0, 40.0), (590.0, 325.0));
     canvas.label((20.0, 26.0), Anchor::Left, 16.0, Color::BLACK, "Similar triangles: y_p = y_0 z_p / z_0");
 
-    view.arrow(canvas, (-2.8, 0.0), (5.0, 0.0), Pen::solid(Color::GREY, 1.0));
+    view.arrow(canvas, (-2.8, 0.0), (5.0, 0.0), Pen::solid(Color::GRAY, 1.0));
     let z = view.at((5.0, 0.0));
-    canvas.label((z.0 - 2.0, z.1 - 8.0), Anchor::Middle, 13.0, Color::GREY, "z");
+    canvas.label((z.0 - 2.0, z.1 - 8.0), Anchor::Middle, 13.0, Color::GRAY, "z");
 
     // One ray, from the tip of the object through the pinhole to the film.
     view.line(canvas, (seen.z_0, seen.y_0), (-seen.z_p, seen.y_film), Pen::solid(Color::ORANGE, 1.8));
     for z in [-seen.z_p, seen.z_p] {
-        view.line(canvas, (z, -1.45), (z, 1.45), Pen::dashed(Color::GREY, 1.2));
+        view.line(canvas, (z, -1.45), (z, 1.45), Pen::dashed(Color::GRAY, 1.2));
     }
     let heights = [
         (seen.z_0, seen.y_0, Color::BLUE, "y_0"),
@@ -59,7 +59,7 @@ fn side_view(canvas: &mut Canvas) {
 
 /// A distance from the eye, below the axis.
 fn measure(canvas: &mut Canvas, view: View, z: f64, y: f64, name: &str) {
-    let pen = Pen::solid(Color::GREY, 1.0);
+    let pen = Pen::solid(Color::GRAY, 1.0);
     view.arrow(canvas, (1.0, y), (0.0, y), pen);
     view.arrow(canvas, (1.0, y), (z, y), pen);
     let at = view.at((1.0, y));
@@ -77,31 +77,30 @@ fn letters<R: Real>(canvas: &mut Canvas) {
         (610.0, 296.0),
         Anchor::Left,
         13.0,
-        Color::GREY,
+        Color::GRAY,
         "Light crosses in the pinhole: up becomes down,",
     );
     canvas.label(
         (610.0, 314.0),
         Anchor::Left,
         13.0,
-        Color::GREY,
+        Color::GRAY,
         "left becomes right. In front nothing is turned.",
     );
 }
 
-/// The picture on a plane before (`side` 1) or behind (−1) the pinhole: light from (x, y) on the
-/// plane's far side arrives from the direction (x, y, side), reversed behind.
+/// The picture on the view plane in front (`side` = 1) or on the film behind (`side` = −1): light that
+/// arrives at (x, y) comes from the direction (x, y, 1) in front, and through the pinhole from
+/// (−x, −y, 1) behind.
 fn raster<R: Real>(canvas: &mut Canvas, (left, top): (f32, f32), color: Color, side: f64) {
     const PIXELS: u32 = 21;
     let window = Window::around_axis(R::from(1.0), (1, 1));
-    let (zero, one) = (R::from(0.0), R::from(1.0));
     let cell = 156.0 / PIXELS as f32;
     for row in 0..PIXELS {
         for col in 0..PIXELS {
             let (x, y) = centers(&window, (PIXELS, PIXELS), (col, row));
             let turned = R::round_from(side);
-            let ray = Ray3::<R>::new(R::vec3(zero, zero, zero), R::vec3(x * turned, y * turned, one));
-            let dark = letter::shoot(&ray).is_some_and(letter::shade::<R>);
+            let dark = letter::shade::<R>(letter::shoot::<R>(R::vec3(x * turned, y * turned, R::from(1.0))));
             let (x, y) = (left + col as f32 * cell, top + row as f32 * cell);
             let fill = if dark { color } else { Color::PALE };
             canvas.rectangle((x + 0.5, y + 0.5), (x + cell - 0.5, y + cell - 0.5), fill, 1.0);
@@ -141,7 +140,7 @@ fn three_grids<R: Real>(canvas: &mut Canvas, chosen: Grid) {
             (at.0 - 18.0, at.1 + 15.0),
             Anchor::Right,
             12.0,
-            Color::GREY,
+            Color::GRAY,
             &format!("House: i = {house}"),
         );
     }
@@ -175,7 +174,7 @@ fn legend(canvas: &mut Canvas, chosen: Grid, precision: &str) {
         let y = 424.0 + 64.0 * place as f32;
         mark(canvas, grid, (652.0, y - 5.0), grid == chosen);
         canvas.label((672.0, y), Anchor::Left, 15.0, Color::BLACK, name);
-        canvas.label((672.0, y + 19.0), Anchor::Left, 12.0, Color::GREY, formula);
+        canvas.label((672.0, y + 19.0), Anchor::Left, 12.0, Color::GRAY, formula);
     }
     let rows = [
         "Rows: a picture file counts from the top,",

@@ -4,7 +4,7 @@
 //! x = front and the face x = back, without end in y. So only the x of the ray matters, and each face
 //! is one linear equation, p_x + t u_x = front, with one division to solve it.
 //!
-//! [`notes`] is that division. [`robust`] is the same with nothing rounded before the end. Both
+//! [`mod@notes`] is that division. [`mod@robust`] is the same with nothing rounded before the end. Both
 //! return a struct with every number on the way, whose `hit(span)` is the answer. What the page leaves
 //! open (a ray that starts inside, points away, or runs along a face) is decided in [`Crossing`].
 

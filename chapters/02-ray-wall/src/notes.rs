@@ -86,7 +86,9 @@ mod tests {
     /// A ray that starts inside has its front face behind it (slip 5).
     #[test]
     fn from_inside_it_hits_where_it_leaves() {
-        let out = hit((4.25, 1.0), (1.0, 0.0)).unwrap();
+        let work = notes(&Ray2::<f64>::new(DVec2::new(4.25, 1.0), DVec2::X), &WALL);
+        assert_eq!(work.t_front, -0.25, "the front face, as the page would have it, is behind");
+        let out = work.hit(Span::ahead()).unwrap().unwrap();
         assert_eq!((out.t, out.point.x, out.normal.x), (0.25, 4.5, 1.0));
         let back = hit((4.25, 1.0), (-1.0, 0.0)).unwrap();
         assert_eq!((back.t, back.point.x, back.normal.x), (0.25, 4.0, -1.0));

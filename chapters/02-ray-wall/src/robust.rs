@@ -6,96 +6,74 @@
 //! and a quotient below the smallest number rounds to −0, which looks like a touch at t = 0.
 //!
 //! Here the difference keeps its rounding error, exponents cannot overflow, and only the result is
-//! rounded. What lies behind the origin stays behind it.
+//! rounded. What lies behind the origin stays behind it. And since the ray hits a face, the x of the
+//! point is the x of the face, whatever p_x + t u_x rounds to.
 
-use math::two_part::two_sum;
 use math::{Degenerate, Hit, Ray2, Real, Roots, Span, Vector, Wide};
 
 use crate::{Crossing, Hit2, Wall};
 
 /// Every number of the robust method.
 ///
-/// A degenerate ray or wall gives NaN throughout; [`Robust::hit`] refuses it.
+/// A degenerate ray or wall, and one with u_x = 0, has no parameters; [`Robust::hit`] refuses the former.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Robust<R: Real> {
     /// The ray.
     pub ray: Ray2<R>,
     /// The wall.
     pub wall: Wall<R>,
-    /// front − p_x, rounded to `f64`.
-    pub to_front: f64,
-    /// What the rounding of `to_front` dropped.
-    pub to_front_error: f64,
-    /// back − p_x, rounded to `f64`.
-    pub to_back: f64,
-    /// What the rounding of `to_back` dropped.
-    pub to_back_error: f64,
-    /// The parameters of the two faces before they are rounded. `None` where u_x = 0.
+    /// front − p_x and back − p_x, to twice the digits. `None` as above.
+    pub to_faces: Option<[Wide; 2]>,
+    /// (front − p_x) / u_x and (back − p_x) / u_x, before they are rounded.
     faces: Option<[Wide; 2]>,
 }
 
 /// Works out the robust method.
 pub fn robust<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Robust<R> {
-    let (p_x, u_x) = (ray.origin.x(), ray.direction.x());
-    let to_front = two_sum(wall.front.into(), -p_x.into());
-    let to_back = two_sum(wall.back.into(), -p_x.into());
-
-    let parallel = u_x == R::from(0.0);
-    let faces = if wall.check(ray).is_err() || parallel {
-        None
-    } else {
-        // (x − p_x) / u_x, to twice the digits
-        Some([wall.front, wall.back].map(|x| (Wide::of(x) - Wide::of(p_x)) / Wide::of(u_x)))
-    };
-
-    Robust {
-        ray: *ray,
-        wall: *wall,
-        to_front: to_front.hi,
-        to_front_error: to_front.lo,
-        to_back: to_back.hi,
-        to_back_error: to_back.lo,
-        faces,
+    let (p_x, u_x) = (Wide::of(ray.origin.x()), Wide::of(ray.direction.x()));
+    let mut work = Robust { ray: *ray, wall: *wall, to_faces: None, faces: None };
+    if wall.check(ray).is_err() || u_x.is_zero() {
+        return work;
     }
+    let to_faces = [wall.front, wall.back].map(|x| Wide::of(x) - p_x);
+    work.to_faces = Some(to_faces);
+    work.faces = Some(to_faces.map(|to_face| to_face / u_x));
+    work
 }
 
 impl<R: Real> Robust<R> {
-    /// (front − p_x) / u_x, rounded once; `None` where u_x = 0.
+    /// (front − p_x) / u_x, rounded; `None` where there is none.
     pub fn t_front(&self) -> Option<R> {
         self.faces.map(|[front, _]| front.rounded())
     }
 
-    /// (back − p_x) / u_x, rounded once; `None` where u_x = 0.
+    /// (back − p_x) / u_x, rounded; `None` where there is none.
     pub fn t_back(&self) -> Option<R> {
         self.faces.map(|[_, back]| back.rounded())
     }
 
-    /// The faces in the order in which the line meets them.
-    fn in_order(&self) -> Option<[Wide; 2]> {
-        let [front, back] = self.faces?;
-        Some(if self.ray.direction.x() > R::from(0.0) { [front, back] } else { [back, front] })
-    }
-
     /// Where the line of the ray meets the wall.
     pub fn crossing(&self) -> Crossing<R> {
-        match self.in_order() {
-            Some([near, far]) => Crossing::Through(Roots { near: near.rounded(), far: far.rounded() }),
-            None => Crossing::Along(self.wall.along(&self.ray)),
+        match (self.t_front(), self.t_back()) {
+            (Some(front), Some(back)) => Crossing::Through(Roots::sorted(front, back)),
+            _ => Crossing::Along(self.wall.along(&self.ray)),
         }
     }
 
-    /// The nearest hit in `span`, t and x = p_r + t u_r each rounded once.
+    /// The nearest hit in `span`. The x of the point is the face; t and the y p_y + t u_y are worked
+    /// out with twice the digits and rounded at the end.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         self.wall.check(&self.ray)?;
-        let (Some([near, far]), Crossing::Through(roots)) = (self.in_order(), self.crossing()) else {
+        let (Some([front, back]), Crossing::Through(roots)) = (self.faces, self.crossing()) else {
             return Ok(None);
         };
         let Some(t) = roots.first_within(span) else { return Ok(None) };
         let leaves = !span.contains(roots.near);
-        let wide_t = if leaves { far } else { near };
-        let [p, u] = [self.ray.origin, self.ray.direction].map(Wide::vector::<R, 2>);
-        let [x, y] = std::array::from_fn(|axis| R::round_from((p[axis] + wide_t * u[axis]).to_f64()));
-        Ok(Some(Hit { t, point: R::vec2(x, y), normal: self.wall.normal(&self.ray, leaves) }))
+        let by_the_front = (self.ray.direction.x() > R::from(0.0)) != leaves;
+        let (face, wide_t) = if by_the_front { (self.wall.front, front) } else { (self.wall.back, back) };
+        let y = Wide::of(self.ray.origin.y()) + wide_t * Wide::of(self.ray.direction.y());
+        let point = R::vec2(face, R::round_from(y.to_f64()));
+        Ok(Some(Hit { t, point, normal: self.wall.normal(&self.ray, leaves) }))
     }
 }
 

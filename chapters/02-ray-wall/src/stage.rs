@@ -1,7 +1,7 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Ray2, Real, Span, Vector};
-use stage::{About, Ask, Case, Error, Precision, Row, Section, Shown, Stage, Transcript, Value};
+use stage::{About, Ask, Case, Chapter, Error, Row, Section, Shown, Transcript, Value};
 
 use crate::picture::{self, wall_of};
 use crate::{Crossing, Method, Notes, Robust, Wall, Working};
@@ -16,7 +16,7 @@ pub(crate) const ORIGIN: (f64, f64) = (1.0, 1.0);
 /// The stage `ray-wall`.
 pub struct RayWall;
 
-impl Stage for RayWall {
+impl Chapter for RayWall {
     fn about(&self) -> About {
         About {
             number: 2,
@@ -32,18 +32,12 @@ impl Stage for RayWall {
         }
     }
 
-    fn show(&self, ask: &Ask) -> Result<Shown, Error> {
-        match ask.precision {
-            Precision::F32 => show::<f32>(ask),
-            Precision::F64 => show::<f64>(ask),
-        }
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        show::<R>(ask)
     }
 
-    fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        match ask.precision {
-            Precision::F32 => row::<f32>(ask, case),
-            Precision::F64 => row::<f64>(ask, case),
-        }
+    fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+        row::<R>(ask, case)
     }
 }
 
@@ -84,10 +78,12 @@ fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray2<R>) 
     let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
     let title = format!("ray-wall · {} · {} · {from} → {to}", method.name(), R::NAME);
     let work = method.work(ray, &wall_of());
-    let section = transcript.section(title, "House 4.2");
+    let source = if method == Method::Notes { "House 4.2" } else { "House 4.2, robust.rs" };
+    let section = transcript.section(title, source);
     section
         .vector::<R>("p_r", "origin", ray.origin)
         .vector::<R>("u_r", "direction", ray.direction)
+        .note("as given: House's has length 1; t counts its lengths")
         .number("front", "the near face of the wall, x = front", WALL.front)
         .number("back", "the far face, x = back", WALL.back);
     match &work {
@@ -107,10 +103,12 @@ fn notes_steps<R: Real>(section: &mut Section, work: &Notes<R>) {
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
     section
-        .number("front − p_x", "rounded", work.to_front)
-        .number("front_error", "what the rounding dropped", work.to_front_error)
-        .number("back − p_x", "rounded", work.to_back)
-        .number("back_error", "what the rounding dropped", work.to_back_error)
+        .step(
+            "front − p_x",
+            "to twice the digits",
+            Value::maybe(work.to_faces.map(|[front, _]| front.to_f64())),
+        )
+        .step("back − p_x", "to twice the digits", Value::maybe(work.to_faces.map(|[_, back]| back.to_f64())))
         .step("t_front", "(front − p_x) / u_x", Value::maybe(work.t_front()))
         .step("t_back", "(back − p_x) / u_x", Value::maybe(work.t_back()));
 }
@@ -126,7 +124,7 @@ fn outcome<R: Real>(section: &mut Section, work: &Working<R>) {
     };
     if let Crossing::Through(roots) = work.crossing() {
         let [near, far] = [roots.near, roots.far].map(|t| Value::number(t).to_text());
-        section.note(format!("inside the wall for {near} ≤ t ≤ {far}"));
+        section.note(format!("the line is inside the wall for {near} ≤ t ≤ {far}"));
     }
     match hit {
         Some(hit) => {

@@ -1,9 +1,12 @@
-//! The chapter's scene: a chequered ground plane seen from a height of 1.
+//! The chapter's scene: a checkered ground plane seen from a height of 1.
 
 use math::grid::centers;
 use math::{Camera, Degenerate, Handedness, Ray3, Real, Vector, Window};
 
 use crate::Plane;
+
+/// How much of the window, which is 1 high, is above the horizon.
+pub const SKY: f64 = 0.25;
 
 /// The ground: y = 0, its normal up.
 pub fn ground<R: Real>() -> Plane<R> {
@@ -15,7 +18,11 @@ pub fn ground<R: Real>() -> Plane<R> {
 /// above the horizon.
 pub fn camera<R: Real>(size: (u32, u32)) -> Result<Camera<R>, Degenerate> {
     let (zero, one) = (R::from(0.0), R::from(1.0));
-    let window = Window { bottom: R::from(-0.75), top: R::from(0.25), ..Window::around_axis(one, size) };
+    let window = Window {
+        bottom: R::round_from(SKY - 1.0),
+        top: R::round_from(SKY),
+        ..Window::around_axis(one, size)
+    };
     let (eye, forward, up) = (R::vec3(zero, one, zero), R::vec3(zero, zero, -one), R::vec3(zero, one, zero));
     Camera::looking(eye, forward, up, Handedness::Right, one, window)
 }

@@ -1,14 +1,15 @@
 //! Where does a ray meet a plane? The sign of a distance, and one division that may be by zero.
 //!
-//! The plane is a point p_0 and a normal n. [`signed_distance`] says how far a point is above it,
+//! The plane is a point p_0 and a normal n. [`signed_distance()`] says how far a point is above it,
 //! d = n · (x − p_0). Put the ray x(t) = p_r + t u_r in and set d = 0: that is Equation 4.2. The page
 //! then asks what happens when the ray is parallel, and leaves the answer to the reader; here it is
-//! [`Meeting`]: parallel and apart, or within the plane, and both are n · u_r = 0, exactly.
+//! [`Meeting`]: [`parallel`] and apart, or within the plane, and both are n · u_r = 0, exactly.
 //!
-//! [`notes`] is Equation 4.2 as printed, [`robust`] the same with both dot products certain.
+//! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain.
 
 pub mod ground;
 pub mod notes;
+pub mod parallel;
 #[cfg(feature = "stage")]
 mod picture;
 pub mod robust;
@@ -57,6 +58,19 @@ impl<R: Real> Plane<R> {
             return Err(Degenerate::ZeroNormal);
         }
         Ok(())
+    }
+
+    /// n / ‖n‖, the unit normal that the page has. Divided by its largest component first, so that its
+    /// squares neither overflow nor vanish.
+    pub fn unit_normal(&self) -> R::Vec3 {
+        let n = self.normal;
+        let magnitude = |x: R| if x < R::from(0.0) { -x } else { x };
+        let largest = n.components().iter().fold(R::from(0.0), |most, &x| {
+            let x = magnitude(x);
+            if x > most { x } else { most }
+        });
+        let n = n / largest;
+        n / n.length()
     }
 }
 

@@ -1,8 +1,9 @@
 //! House 4.3, Equation 4.2.
 
-use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
+use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 
-use crate::{Hit3, Meeting, Plane};
+use crate::parallel::parallel;
+use crate::{Hit3, Meeting, Plane, signed_distance};
 
 /// Every number of House's method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,19 +39,20 @@ pub fn notes<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Notes<R> {
 
 impl<R: Real> Notes<R> {
     /// The page's questions answered: with n · u_r = 0 the ray is parallel, and lies in the plane if
-    /// its origin does. No tolerance: a ray that is only nearly parallel does meet the plane.
+    /// its origin does. That is decided exactly, see [`parallel`]; a ray that is only nearly parallel
+    /// does meet the plane, at the t of Eq. 4.2.
+    ///
+    /// The numbers must be finite; see [`Plane::check`].
     pub fn meeting(&self) -> Meeting<R> {
-        let zero = R::from(0.0);
-        match () {
-            _ if self.n_dot_u != zero => Meeting::At(self.t),
-            _ if self.n_dot_p == zero => Meeting::Never(Parallel::Within),
-            _ => Meeting::Never(Parallel::Apart),
+        match parallel(&self.ray, &self.plane) {
+            Some(how) => Meeting::Never(how),
+            None => Meeting::At(self.t),
         }
     }
 
-    /// The signed distance of the origin from the plane: n · (p_r − p_0) / ‖n‖.
+    /// The signed distance of the origin from the plane.
     pub fn distance(&self) -> R {
-        self.n_dot_p / self.plane.normal.length()
+        signed_distance(self.ray.origin, &self.plane).d
     }
 
     /// The hit, where its t lies in `span`. The normal is n / ‖n‖, on whichever side the ray comes from.
@@ -61,8 +63,7 @@ impl<R: Real> Notes<R> {
             return Ok(None);
         }
         let t = t + R::from(0.0); // minus zero is zero
-        let n = self.plane.normal;
-        Ok(Some(Hit { t, point: self.ray.at(t), normal: n / n.length() }))
+        Ok(Some(Hit { t, point: self.ray.at(t), normal: self.plane.unit_normal() }))
     }
 }
 
@@ -70,6 +71,7 @@ impl<R: Real> Notes<R> {
 mod tests {
     use super::*;
     use glam::DVec3;
+    use math::Parallel;
 
     const GROUND: Plane<f64> = Plane { point: DVec3::ZERO, normal: DVec3::Y };
 

@@ -51,8 +51,8 @@ impl CertainSum {
     }
 }
 
-/// The rounding errors of three two-part products and two sums, each at most 2^−102, add up to less
-/// than 2^−99 of the sum of the magnitudes.
+/// The rounding errors of three two-part products and two sums, each at most 2^−102 of a number no
+/// larger than the sum of the magnitudes, add up to less than 2^−99 of it.
 const SUM_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
 /// What that error may be of the sum: a quarter of the last digit of an `f64`.
 const HARMLESS: f64 = 1.0 / (1u64 << 55) as f64;
@@ -66,7 +66,7 @@ pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
     if plane.check(ray).is_err() {
         return work;
     }
-    let [p_r, u_r, p_0, n] = [ray.origin, ray.direction, plane.point, plane.normal].map(|v| numbers::<R>(v));
+    let [p_r, u_r, p_0, n] = [ray.origin, ray.direction, plane.point, plane.normal].map(Vector::in_f64::<3>);
     let from_plane = std::array::from_fn(|axis| two_sum(p_r[axis], -p_0[axis]));
 
     work.n_dot_p = in_two_parts(n, from_plane).unwrap_or_else(|| {
@@ -91,10 +91,6 @@ fn exactly(n: [f64; 3], v: [Exact; 3]) -> CertainSum {
     CertainSum::new(Exact::dot(&n.map(Exact::new), &v).to_wide(), true)
 }
 
-fn numbers<R: Real>(v: R::Vec3) -> [f64; 3] {
-    std::array::from_fn(|axis| v.components()[axis].into())
-}
-
 impl<R: Real> Robust<R> {
     fn wide_t(&self) -> Option<Wide> {
         let (n_dot_p, n_dot_u) = (self.n_dot_p.wide, self.n_dot_u.wide);
@@ -110,7 +106,7 @@ impl<R: Real> Robust<R> {
         }
     }
 
-    /// The signed distance of the origin from the plane: n · (p_r − p_0) / ‖n‖, rounded once.
+    /// The signed distance of the origin from the plane: n · (p_r − p_0) / ‖n‖.
     pub fn distance(&self) -> R {
         let length = self.normal_length();
         if length.is_zero() { R::from(0.0) } else { R::round_from((self.n_dot_p.wide / length).to_f64()) }
@@ -121,7 +117,8 @@ impl<R: Real> Robust<R> {
         (x + y + z).sqrt()
     }
 
-    /// The hit, where its t lies in `span`: t, x and n / ‖n‖ each rounded once.
+    /// The hit, where its t lies in `span`: t, x = p_r + t u_r and n / ‖n‖ in twice the digits, rounded at
+    /// the end. (Where x cancels, what is left is 2^−100 of p_r, not zero.)
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.plane.check(&self.ray)?;
         let Some(wide_t) = self.wide_t() else { return Ok(None) };

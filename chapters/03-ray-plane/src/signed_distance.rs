@@ -9,7 +9,7 @@ use crate::Plane;
 pub struct SignedDistance<R: Real> {
     /// x − p_0, from the plane's point to x.
     pub from_plane: R::Vec3,
-    /// d = n · (x − p_0) / ‖n‖, in units of length. (House's n has length 1.)
+    /// d = n · (x − p_0) with n / ‖n‖ for n, in units of length. (House's n has length 1.)
     pub d: R,
 }
 
@@ -27,7 +27,7 @@ pub enum Side {
 /// Works out the distance of the point `x` from a plane whose normal is not zero.
 pub fn signed_distance<R: Real>(x: R::Vec3, plane: &Plane<R>) -> SignedDistance<R> {
     let from_plane = x - plane.point;
-    let d = plane.normal.dot(from_plane) / plane.normal.length();
+    let d = plane.unit_normal().dot(from_plane);
     SignedDistance { from_plane, d }
 }
 
@@ -69,7 +69,16 @@ mod tests {
             (DVec3::ZERO, -3.0, Side::Below),
         ] {
             let distance = signed_distance(x, &plane);
-            assert_eq!((distance.d, distance.side()), (d, side));
+            assert!((distance.d - d).abs() < 1e-15, "{distance:?}");
+            assert_eq!(distance.side(), side);
+        }
+    }
+
+    #[test]
+    fn the_length_of_the_normal_does_not_matter() {
+        for length in [1e300, 7.0, 1e-300, 5e-324] {
+            let plane = Plane::<f64> { point: DVec3::ZERO, normal: DVec3::Y * length };
+            assert_eq!(signed_distance(DVec3::new(1.0, -3.0, 2.0), &plane).d, -3.0, "‖n‖ = {length:e}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Parallel, Ray3, Real, Span};
-use stage::{About, Ask, Case, Error, Precision, Row, Section, Shown, Stage, Transcript, Value};
+use stage::{About, Ask, Case, Chapter, Error, Row, Section, Shown, Transcript, Value};
 
 use crate::ground::{camera, ground, pixel_ray};
 use crate::{Meeting, Method, Notes, Plane, Robust, Working, picture, signed_distance};
@@ -9,7 +9,7 @@ use crate::{Meeting, Method, Notes, Plane, Robust, Working, picture, signed_dist
 /// The stage `ray-plane`.
 pub struct RayPlane;
 
-impl Stage for RayPlane {
+impl Chapter for RayPlane {
     fn about(&self) -> About {
         About {
             number: 3,
@@ -18,25 +18,19 @@ impl Stage for RayPlane {
             notes: "House 4.3",
             methods: Method::ALL.map(Method::name).to_vec(),
             size: (640, 402),
-            picture: "A chequered ground plane to the horizon, one ray a pixel. On the horizon n · u_r = 0; \
+            picture: "A checkered ground plane to the horizon, one ray a pixel. On the horizon n · u_r = 0; \
                       just below it t grows without bound, and one ray a pixel no longer tells the tiles apart.",
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "px", "py", "pz", "nx", "ny", "nz"],
             results: &["hit", "t", "x", "y", "z", "distance", "reason"],
         }
     }
 
-    fn show(&self, ask: &Ask) -> Result<Shown, Error> {
-        match ask.precision {
-            Precision::F32 => show::<f32>(ask),
-            Precision::F64 => show::<f64>(ask),
-        }
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        show::<R>(ask)
     }
 
-    fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        match ask.precision {
-            Precision::F32 => row::<f32>(ask, case),
-            Precision::F64 => row::<f64>(ask, case),
-        }
+    fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+        row::<R>(ask, case)
     }
 }
 
@@ -45,20 +39,22 @@ fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
     let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
     let plane = Plane { point: R::vec3(px, py, pz), normal: R::vec3(nx, ny, nz) };
     let work = Method::ALL[ask.method].work(&ray, &plane);
-    let row = match (work.hit(Span::ahead()), work.meeting()) {
-        (Ok(Some(hit)), _) => Row::hit().number("t", hit.t).vector(["x", "y", "z"], hit.point),
-        (Ok(None), Meeting::Never(how)) => Row::miss(how.reason()),
-        (Ok(None), _) => Row::miss(""),
-        (Err(degenerate), _) => return Ok(Row::invalid(degenerate.reason())),
+    let row = match work.hit(Span::ahead()) {
+        Ok(Some(hit)) => Row::hit().number("t", hit.t).vector(["x", "y", "z"], hit.point),
+        Ok(None) => match work.meeting() {
+            Meeting::Never(how) => Row::miss(how.reason()),
+            Meeting::At(_) => Row::miss(""),
+        },
+        Err(degenerate) => return Ok(Row::invalid(degenerate.reason())),
     };
-    // Where the notes' squares overflow they have no distance to give.
+    // Where x − p_0 overflows, the notes have no distance to give.
     let distance: f64 = work.distance().into();
     Ok(if distance.is_nan() { row } else { row.number("distance", work.distance()) })
 }
 
 fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
     let method = Method::ALL[ask.method];
-    let camera = camera::<R>(ask.size).map_err(|degenerate| Error::Failed(degenerate.to_string()))?;
+    let camera = camera::<R>(ask.size)?;
     // The worked example looks a quarter to the right and a quarter down.
     let ray = match ask.pixel {
         Some(pixel) => pixel_ray(&camera, ask.size, pixel),
@@ -77,12 +73,14 @@ fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>) 
     let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
     let title = format!("ray-plane · {} · {} · {from} → {to}", method.name(), R::NAME);
     let plane = ground::<R>();
-    let section = transcript.section(title, "House 4.3, Eq. 4.2");
+    let source = if method == Method::Notes { "House 4.3, Eq. 4.2" } else { "Eq. 4.2, robust.rs" };
+    let section = transcript.section(title, source);
     section
         .vector::<R>("p_0", "a point of the plane", plane.point)
         .vector::<R>("n", "its normal", plane.normal)
         .vector::<R>("p_r", "origin", ray.origin)
-        .vector::<R>("u_r", "direction", ray.direction);
+        .vector::<R>("u_r", "direction", ray.direction)
+        .note("as given: House's has length 1; t counts its lengths");
     let work = method.work(ray, &plane);
     match &work {
         Working::Notes(work) => notes_steps(section, work),

@@ -58,9 +58,15 @@ impl<R: Real> ClosestApproach<R> {
         self.distances().map(|Roots { near, far }| Roots { near: near / self.length, far: far / self.length })
     }
 
-    /// The nearest hit in `span`. (The page takes t_close − a even where that is behind the origin.)
+    /// The nearest hit in `span`: x_hit = p_r + (t_close ∓ a) u_r. (The page takes t_close − a even where
+    /// that is behind the origin.)
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        self.sphere.first_hit(&self.ray, self.roots(), span)
+        self.sphere.check(&self.ray)?;
+        let (Some(distances), Some(roots)) = (self.distances(), self.roots()) else { return Ok(None) };
+        let Some(t) = roots.first_within(span) else { return Ok(None) };
+        let distance = if span.contains(roots.near) { distances.near } else { distances.far };
+        let x_hit = Ray3::<R>::new(self.ray.origin, self.u_r).at(distance);
+        Ok(Some(self.sphere.hit_at(t, x_hit)))
     }
 }
 
@@ -78,6 +84,35 @@ mod tests {
         assert!((work.t_close - 10.0_f64.sqrt()).abs() < 1e-15);
         assert!(work.d < 1e-15);
         assert_eq!(work.a, Some(1.0));
+    }
+
+    /// The page's three cases: d < r, d = r, d > r.
+    #[test]
+    fn touching_is_a_hit_at_x_close() {
+        let sphere = Sphere { center: DVec3::new(0.0, 3.0, 4.0), radius: 3.0 };
+        let ray = |height| Ray3::<f64>::new(DVec3::new(0.0, height, 0.0), DVec3::Z);
+        let touching = closest_approach(&ray(0.0), &sphere);
+        assert_eq!((touching.d, touching.a), (3.0, Some(0.0)));
+        assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().point, touching.x_close);
+        assert_eq!(closest_approach(&ray(-0.5), &sphere).distances(), None);
+        assert!(closest_approach(&ray(0.5), &sphere).a > Some(0.0));
+    }
+
+    /// t comes back in lengths of the direction as given, and n has length 1.
+    #[test]
+    fn t_house_is_the_length_of_d_times_t() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::new(0.0, 0.0, 4.0));
+        let sphere = Sphere { center: DVec3::new(0.0, 0.0, 10.0), radius: 2.0 };
+        let work = closest_approach(&ray, &sphere);
+        // by hand: the sphere reaches from z = 8 to z = 12
+        assert_eq!(work.distances(), Some(Roots { near: 8.0, far: 12.0 }));
+        assert_eq!(work.roots(), Some(Roots { near: 2.0, far: 3.0 }));
+        let hit = work.hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!((hit.t, hit.point.z, hit.normal), (2.0, 8.0, -DVec3::Z));
+        assert_eq!(crate::quadratic(&ray, &sphere).hit(Span::ahead()).unwrap().unwrap().normal, -DVec3::Z);
+        // λ = t − 1 for a ray that starts one direction further on
+        let from_plane = Ray3::<f64>::new(ray.at(1.0), ray.direction);
+        assert_eq!(crate::half_quadratic(&from_plane, &sphere).lambda_2, Some(1.0));
     }
 
     /// House takes t_close − a whatever its sign (slip 5).
@@ -101,5 +136,22 @@ mod tests {
         assert_eq!((work.x_close - sphere.center).dot(ray.direction), 0.0);
         let t = work.distances().unwrap().near;
         assert!((ray.at(t) - sphere.center).dot(ray.direction).abs() > 0.5, "as printed it is not");
+    }
+
+    /// Three ways to see a miss that agree on paper (slip 7): of a thousand rays within a few last digits
+    /// of a tangent, they disagree about some.
+    #[test]
+    fn as_printed_three_tests_of_a_miss_disagree() {
+        let sphere = Sphere { center: DVec3::new(0.0, 1.0, 3.0), radius: 1.0 };
+        let disagree = (0..1000).filter(|&step| {
+            let tilt = f64::from(step) * f64::EPSILON / 8.0;
+            let ray = Ray3::<f64>::new(DVec3::new(0.1, 0.0, 0.2), DVec3::new(-0.1, tilt, 2.8));
+            let work = closest_approach(&ray, &sphere);
+            let (l, r) = (sphere.center - ray.origin, sphere.radius);
+            let misses =
+                [work.d > r, work.d * work.d > r * r, r * r - l.dot(l) + work.t_close * work.t_close < 0.0];
+            misses.iter().any(|&miss| miss != misses[0])
+        });
+        assert!(disagree.count() > 0);
     }
 }

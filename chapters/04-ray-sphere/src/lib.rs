@@ -1,15 +1,17 @@
 //! Where does a ray hit a sphere? Four roads to the same two numbers.
 //!
-//! The ray is p_r + t u_r, the sphere ‖x − c‖ = r. [`closest_approach`] is House's geometry: walk to
-//! the point nearest to the center, then back by Pythagoras. [`quadratic`] is Gambetta's algebra: put
-//! the ray into the sphere's equation and solve for t. [`half_quadratic`] is CSC418's, with the
-//! twos divided out. On paper they agree; in floating point each fails somewhere else. [`robust`]
+//! The ray is p_r + t u_r, the sphere ‖x − c‖ = r. [`mod@closest_approach`] is House's geometry: walk to
+//! the point nearest to the center, then back by Pythagoras. [`mod@quadratic`] is Gambetta's algebra: put
+//! the ray into the sphere's equation and solve for t. [`mod@half_quadratic`] is CSC418's, with the
+//! twos divided out. On paper they agree; in floating point each fails somewhere else. [`mod@robust`]
 //! says why, and what to do about it.
 //!
 //! Each method takes a [`Ray3`] and a [`Sphere`] and returns a struct with every number on the way;
 //! its `roots()` are the two crossings and its `hit(span)` the answer. [`Method`] lists them all.
 
 pub mod closest_approach;
+#[cfg(feature = "stage")]
+mod explain;
 pub mod half_quadratic;
 #[cfg(feature = "stage")]
 mod picture;
@@ -65,9 +67,12 @@ impl<R: Real> Sphere<R> {
     ) -> Result<Option<Hit3<R>>, Degenerate> {
         self.check(ray)?;
         let Some(t) = roots.and_then(|roots| roots.first_within(span)) else { return Ok(None) };
-        let point = ray.at(t);
-        let normal = (point - self.center) / self.radius;
-        Ok(Some(Hit { t, point, normal }))
+        Ok(Some(self.hit_at(t, ray.at(t))))
+    }
+
+    /// The hit at a point of the sphere, with its outward normal n = (x − c) / r.
+    pub fn hit_at(&self, t: R, point: R::Vec3) -> Hit3<R> {
+        Hit { t, point, normal: (point - self.center) / self.radius }
     }
 }
 

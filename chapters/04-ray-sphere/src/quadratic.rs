@@ -88,7 +88,11 @@ mod tests {
     /// Listing 2-5 reports a miss as inf, and inf lies in [1, inf] (slip 10).
     #[test]
     fn as_printed_a_miss_lies_in_the_span() {
-        assert!(Span::<f64>::from_view_plane().contains(f64::INFINITY), "as printed");
+        // Listing 2-4 with the strict `<` and with a careless `<=`
+        let (t1, t_min, t_max, closest_t) = (f64::INFINITY, 1.0, f64::INFINITY, f64::INFINITY);
+        let in_span = t_min <= t1 && t1 <= t_max;
+        assert!(in_span && t1 <= closest_t, "as printed, a miss is in the span");
+        assert!(!(in_span && t1 < closest_t), "saved by the strict comparison");
         let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::X);
         let sphere = Sphere { center: DVec3::new(0.0, 0.0, 4.0), radius: 1.0 };
         assert_eq!(quadratic(&ray, &sphere).hit(Span::from_view_plane()), Ok(None));

@@ -21,7 +21,7 @@
 //! Squares of 1e±200 overflow or vanish; there the exact sums are taken straight away. `f32` is
 //! computed in `f64`, where products of `f32` are exact, and rounded at the end.
 
-use math::two_part::two_sum;
+use math::two_part::{dot, two_sum};
 use math::{Degenerate, Exact, Hit, Ray3, Real, Roots, Span, TwoPart, Vector, Wide};
 
 use crate::{Hit3, Sphere};
@@ -45,9 +45,10 @@ impl Certainty {
     }
 }
 
-/// Every number of the robust method, rounded to `f64` for the reader.
+/// Every number of the robust method, rounded to `f64` for the reader; it is worked out with twice the
+/// digits, so one line may not follow from the line above as it is printed.
 ///
-/// A degenerate ray or sphere gives NaN throughout; [`Robust::hit`] refuses it.
+/// A degenerate ray or sphere gives NaN after L; [`Robust::hit`] refuses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Robust<R: Real> {
     /// The ray.
@@ -71,7 +72,7 @@ pub struct Robust<R: Real> {
     /// P = L − t_close d: from the point of closest approach to the center.
     pub p: [f64; 3],
     /// a² = r² − P · P, the square of half the chord; its sign, exact, is the verdict.
-    pub a_squared: f64,
+    pub half_chord_squared: f64,
     /// h = √(a² / A), half the chord in lengths of the direction. `None` for a miss.
     pub h: Option<f64>,
     /// The roots and half the chord before they are rounded.
@@ -94,25 +95,25 @@ struct Approach {
     c: Wide,
     t_close: Wide,
     p: [Wide; 3],
-    a_squared: Wide,
+    half_chord_squared: Wide,
     certainty: Certainty,
 }
 
-/// A two-part operation errs by at most 2^−102. The six or so behind a component of P = L − (B/A) d
-/// leave it within 2^−96 of ‖L‖;
+/// How far a component of P may be off, in ‖L‖. With two-part operations that err by 2^−102 at the
+/// most, a dot product is within 2^−100 of the sum of its magnitudes, t_close = B/A then within
+/// 2^−99 ‖L‖/‖d‖, and P = L − t_close d within 2^−98 ‖L‖: a fourth of this.
 const P_ERROR: f64 = 1.0 / (1u128 << 96) as f64;
-/// so r² − P·P is off by 2 ‖P‖ times that, by its square, and by 2^−99 of r² and P·P for the sums;
+/// How far a sum of squares, r² − P·P or L·L − r², is off on its own account, in the sum of their
+/// magnitudes. (P's error adds 2 ‖P‖ P_ERROR ‖L‖ and its square to the former.)
 const SUM_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
-/// and C = L·L − r² by 2^−99 of L·L + r².
-const C_ERROR: f64 = SUM_ERROR;
 /// What an error may be of the number that it spoils: a quarter of the last digit of an `f64`.
 const HARMLESS: f64 = 1.0 / (1u64 << 55) as f64;
 /// Between these, squares and the errors of their products neither overflow nor vanish.
-const SAFE: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+const SAFE: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
 
 /// Works out the robust method.
 pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
-    let [origin, direction, center] = [ray.origin, ray.direction, sphere.center].map(exact_in_f64::<R>);
+    let [origin, direction, center] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
     let r: f64 = sphere.radius.into();
     let l: [TwoPart; 3] = std::array::from_fn(|axis| two_sum(center[axis], -origin[axis]));
     let nan = f64::NAN;
@@ -127,7 +128,7 @@ pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
         c: nan,
         t_close: nan,
         p: [nan; 3],
-        a_squared: nan,
+        half_chord_squared: nan,
         h: None,
         crossing: None,
     };
@@ -136,19 +137,19 @@ pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
     }
     let two_part = if is_safe(direction, work.l, r) { in_two_parts(direction, l, r) } else { None };
     let approach = two_part.unwrap_or_else(|| exactly(origin, direction, center, r));
-    let Approach { a, b, c, t_close, p, a_squared, certainty } = approach;
+    let Approach { a, b, c, t_close, p, half_chord_squared, certainty } = approach;
     work.certainty = certainty;
     [work.a, work.b, work.c] = [a, b, c].map(Wide::to_f64);
-    [work.t_close, work.a_squared] = [t_close, a_squared].map(Wide::to_f64);
+    [work.t_close, work.half_chord_squared] = [t_close, half_chord_squared].map(Wide::to_f64);
     work.p = p.map(Wide::to_f64);
-    if a_squared.is_negative() {
+    if half_chord_squared.is_negative() {
         return work;
     }
 
     // On the side where h adds, nothing cancels; the other root follows from A t₁ t₂ = C.
-    let h = (a_squared / a).sqrt();
+    let h = (half_chord_squared / a).sqrt();
     let outer = if t_close.is_negative() { t_close - h } else { t_close + h };
-    let inner = if outer.is_zero() { Wide::ZERO } else { c / (a * outer) };
+    let inner = if h.is_zero() { outer } else { c / (a * outer) };
     let roots = if t_close.is_negative() {
         Roots { near: outer, far: inner }
     } else {
@@ -168,25 +169,33 @@ fn in_two_parts(direction: [f64; 3], l: [TwoPart; 3], r: f64) -> Option<Approach
     let t_close = b / a;
     let p: [TwoPart; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
     let p_p = dot(p, p);
-    let a_squared = radius * radius - p_p;
+    let half_chord_squared = radius * radius - p_p;
 
     let p_error = P_ERROR * l_l.hi.sqrt();
     let error = p_error * (2.0 * p_p.hi.sqrt() + p_error) + SUM_ERROR * (p_p.hi + r * r);
-    let certain = if a_squared.hi < 0.0 {
-        -a_squared.hi > error
+    let certain = if half_chord_squared.hi < 0.0 {
+        -half_chord_squared.hi > error
     } else {
-        // An error δ in a² is one of δ/2a in a, so of t as a share of the way to the outer root, and of
-        // n as a share of r; the error of P spoils the same two. C spoils the inner root.
-        let half_chord = a_squared.hi.sqrt();
+        // An error δ in a² is one of δ/2a in a. It spoils t as a share of the way to the outer root, and n
+        // as a share of r; so does the error of P. That of C spoils the inner root. (And since δ is at
+        // least SUM_ERROR r², a² that passes is far above its error: the line does hit.)
+        let half_chord = half_chord_squared.hi.sqrt();
         let way = t_close.hi.abs() * a.hi.sqrt() + half_chord;
         let spoiled = way.min(r);
         error <= HARMLESS * half_chord * spoiled
             && p_error <= HARMLESS * spoiled
-            && C_ERROR * (l_l.hi + r * r) <= HARMLESS * c.hi.abs()
+            && SUM_ERROR * (l_l.hi + r * r) <= HARMLESS * c.hi.abs()
     };
-    let [a, b, c, t_close, a_squared] = [a, b, c, t_close, a_squared].map(Wide::from);
-    let approach =
-        Approach { a, b, c, t_close, p: p.map(Wide::from), a_squared, certainty: Certainty::TwoPart };
+    let [a, b, c, t_close, half_chord_squared] = [a, b, c, t_close, half_chord_squared].map(Wide::from);
+    let approach = Approach {
+        a,
+        b,
+        c,
+        t_close,
+        p: p.map(Wide::from),
+        half_chord_squared,
+        certainty: Certainty::TwoPart,
+    };
     certain.then_some(approach)
 }
 
@@ -203,23 +212,13 @@ fn exactly(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], r: f64) -> A
         std::array::from_fn(|axis| a.clone() * l[axis].clone() - b.clone() * direction[axis].clone());
     let [a, b, c, d] = [a, b, c, d].map(|exact| exact.to_wide());
     let p = a_p.map(|component| component.to_wide() / a);
-    Approach { a, b, c, t_close: b / a, p, a_squared: d / a, certainty: Certainty::Exact }
+    Approach { a, b, c, t_close: b / a, p, half_chord_squared: d / a, certainty: Certainty::Exact }
 }
 
 /// Whether squares of these numbers stay well inside the range of `f64`.
 fn is_safe(direction: [f64; 3], l: [f64; 3], r: f64) -> bool {
     let largest = |v: [f64; 3]| v.into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     SAFE.contains(&largest(direction)) && SAFE.contains(&largest(l).max(r))
-}
-
-/// a · b in two parts.
-fn dot(a: [TwoPart; 3], b: [TwoPart; 3]) -> TwoPart {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// The components as `f64`: every `f32` is one.
-fn exact_in_f64<R: Real>(v: R::Vec3) -> [f64; 3] {
-    std::array::from_fn(|axis| v.components()[axis].into())
 }
 
 impl<R: Real> Robust<R> {
@@ -229,22 +228,35 @@ impl<R: Real> Robust<R> {
         Some(Roots { near: near.rounded(), far: far.rounded() })
     }
 
-    /// The nearest hit in `span`: t, n = (± h d − P) / r and x = c + r n, each rounded once at the end.
+    /// The nearest hit in `span`. t, n = (± h d − P) / r and x are worked out with twice the digits and
+    /// rounded at the end; x is p_r + t d or c + r n, whichever adds the smaller number.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.check(&self.ray)?;
         let (Some(crossing), Some(roots)) = (self.crossing, self.roots()) else { return Ok(None) };
         let Some(t) = roots.first_within(span) else { return Ok(None) };
         let enters = span.contains(roots.near);
-        let h = if enters { -crossing.h } else { crossing.h };
+        let (wide_t, h) =
+            if enters { (crossing.roots.near, -crossing.h) } else { (crossing.roots.far, crossing.h) };
 
-        let [direction, center] = [self.ray.direction, self.sphere.center].map(Wide::vector::<R, 3>);
+        let [p_r, d, c]: [[Wide; 3]; 3] =
+            [self.ray.origin, self.ray.direction, self.sphere.center].map(Wide::vector::<R, 3>);
         let r = Wide::of(self.sphere.radius);
+        let from_center: [Wide; 3] = std::array::from_fn(|axis| h * d[axis] - crossing.p[axis]);
+        let from_origin = d.map(|component| wide_t * component);
+        let origin_is_nearer = (dot_wide(from_origin, from_origin) - r * r).is_negative();
+
         let round = |x: Wide| R::round_from(x.to_f64());
-        let from_center: [Wide; 3] = std::array::from_fn(|axis| h * direction[axis] - crossing.p[axis]);
-        let [x, y, z] = std::array::from_fn(|axis| round(center[axis] + from_center[axis]));
+        let [x, y, z] = std::array::from_fn(|axis| match origin_is_nearer {
+            true => round(p_r[axis] + from_origin[axis]),
+            false => round(c[axis] + from_center[axis]),
+        });
         let [n_x, n_y, n_z] = from_center.map(|component| round(component / r));
         Ok(Some(Hit { t, point: R::vec3(x, y, z), normal: R::vec3(n_x, n_y, n_z) }))
     }
+}
+
+fn dot_wide(a: [Wide; 3], b: [Wide; 3]) -> Wide {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]
@@ -265,7 +277,7 @@ mod tests {
             let [x, r, z] = [3.0, 3.0, 8.0].map(|number| number * scale);
             for length in [1.0, 1e-150, 1e150, 5e-324] {
                 let touching = work([x, 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r);
-                assert_eq!(touching.a_squared, 0.0, "scale 2^{power}, length {length:e}");
+                assert_eq!(touching.half_chord_squared, 0.0, "scale 2^{power}, length {length:e}");
                 assert!(touching.roots().is_some_and(|roots| roots.near == roots.far));
                 // one digit farther out it misses, one digit farther in it hits
                 assert!(
@@ -286,6 +298,25 @@ mod tests {
             let closed_form = DVec3::new(0.5, 0.25, -(1.0 - 0.25 - 0.0625_f64).sqrt());
             assert!((hit.normal - closed_form).length() < 1e-15, "{distance:e}: {:?}", hit.normal);
         }
+    }
+
+    /// The two roots of an exact tangent are one number, also where it lies halfway between two floats.
+    #[test]
+    fn a_tangent_leaves_where_it_enters() {
+        let touching = work([6.0, 0.0, -1.659_619_002_541_466_4e16], [0.0, 0.0, 0.5], [0.0, 0.0, 3.0], 6.0);
+        let Roots { near, far } = touching.roots().unwrap();
+        assert_eq!(near, far);
+    }
+
+    #[test]
+    fn a_point_near_the_eye_keeps_its_digits_beside_a_huge_sphere() {
+        // the ground: y = 0 to within 1e−11 around the origin, seen from a height of 1
+        let radius = 2e11;
+        let hit = work([0.0, 1.0, 0.0], [0.6, -0.8, 0.0], [0.0, -radius, 0.0], radius);
+        let point = hit.hit(Span::ahead()).unwrap().unwrap().point;
+        // closed form: −x²/2r to the first order; x = 0.75
+        let y = -0.75 * 0.75 / (2.0 * radius);
+        assert!((point.y / y - 1.0).abs() < 1e-10, "{point}");
     }
 
     #[test]

@@ -127,7 +127,7 @@ mod tests {
         let size = (540, 540);
         let pixels: Vec<_> = tangents(size).into_iter().map(|tangent| tangent.pixel).collect();
         // The tangent rays (X, Y, 1) of the red sphere satisfy 9X² + 8Y² + 6Y = 0, solved by
-        // (0, 0), (±10/54, −1/9), (±12/54, −1/6), (±1/3, −1/2): X = (col − 270)/540, Y = (270 − row)/540.
+        // (0, 0), (±5/27, −1/18), (±2/9, −1/12), (±1/3, −1/4): X = (col − 270)/540, Y = (270 − row)/540.
         let expected = [(270, 270), (170, 300), (370, 300), (150, 315), (390, 315), (90, 405), (450, 405)];
         assert_eq!(pixels, expected);
         for (col, row) in expected {

@@ -1,6 +1,6 @@
 //! The camera: an eye, a frame, and a window on the view plane.
 
-use crate::{Degenerate, Grid, NoGrid, Ray3, Real, Vector, portable};
+use crate::{Degenerate, Ray3, Real, Vector, portable};
 
 /// The window on the view plane, in camera coordinates (x right, y up): CSC418's w_l, w_r, w_b, w_t.
 ///
@@ -101,14 +101,9 @@ impl<R: Real> Camera<R> {
     }
 
     /// The ray from the eye through the point (x, y) of the view plane: t = 0 at the eye, t = 1 on
-    /// the plane. Its direction x u + y v + f w is not normalised.
+    /// the plane. Its direction x u + y v + f w is not normalized.
     pub fn ray(&self, (x, y): (R, R)) -> Ray3<R> {
         Ray3::new(self.e, self.u * x + self.v * y + self.w * self.f)
-    }
-
-    /// The ray of pixel (`col`, `row`) of a picture of `size` pixels, laid over the window by `grid`.
-    pub fn pixel_ray(&self, grid: Grid, size: (u32, u32), pixel: (u32, u32)) -> Result<Ray3<R>, NoGrid> {
-        Ok(self.ray(grid.point(&self.window, size, pixel)?))
     }
 
     /// The horizontal field of view in degrees: the angle between the window's left and right edges

@@ -44,7 +44,7 @@ impl Exact {
         self.negative
     }
 
-    /// The number to about 120 bits.
+    /// The number to 106 bits and more, as far as two parts reach.
     pub fn to_wide(&self) -> Wide {
         let Some(&top) = self.magnitude.last() else {
             return Wide::ZERO;
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn one_hundred_twenty_bits_survive() {
+    fn two_parts_survive() {
         let third = Exact::new(1.0 / 3.0);
         let square = third.clone() * third; // 106 bits
         let two_part = crate::two_part::two_product(1.0 / 3.0, 1.0 / 3.0);

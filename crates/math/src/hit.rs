@@ -9,7 +9,7 @@ pub struct Hit<R, V> {
     pub t: R,
     /// The point x_hit = p_r + t u_r.
     pub point: V,
-    /// The unit normal of the surface there. A solid's points outward; none is turned towards the ray.
+    /// The unit normal of the surface there. A solid's points outward; none is turned toward the ray.
     pub normal: V,
 }
 

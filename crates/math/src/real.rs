@@ -1,6 +1,6 @@
 //! The scalar and its vectors: one formula, two precisions.
 
-use std::fmt::{Debug, Display};
+use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A floating-point number, `f32` or `f64`, with glam's vectors over it.
@@ -10,7 +10,6 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub trait Real:
     Copy
     + Debug
-    + Display
     + PartialOrd
     + From<f32>
     + Into<f64>
@@ -42,8 +41,6 @@ pub trait Real:
     fn cross(a: Self::Vec3, b: Self::Vec3) -> Self::Vec3;
     /// The square root, correctly rounded; NaN below zero.
     fn sqrt(self) -> Self;
-    /// The magnitude.
-    fn abs(self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// The nearest number of this precision; beyond the largest one, an infinity.
@@ -75,6 +72,14 @@ pub trait Vector<R>:
     fn components(&self) -> &[R];
     /// The vector whose components are f(a_i, b_i).
     fn zip(self, other: Self, f: impl Fn(R, R) -> R) -> Self;
+
+    /// The components as `f64`, exactly: every `f32` is one. N is the number of components.
+    fn in_f64<const N: usize>(self) -> [f64; N]
+    where
+        R: Real,
+    {
+        std::array::from_fn(|axis| self.components()[axis].into())
+    }
 
     /// No component is infinite or NaN.
     fn is_finite(self) -> bool
@@ -129,9 +134,6 @@ macro_rules! real {
             }
             fn sqrt(self) -> Self {
                 $scalar::sqrt(self)
-            }
-            fn abs(self) -> Self {
-                $scalar::abs(self)
             }
             fn is_finite(self) -> bool {
                 $scalar::is_finite(self)

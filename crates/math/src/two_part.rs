@@ -11,7 +11,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum hi + lo, with |lo| at most half the last digit of hi.
 ///
-/// One operation errs by at most 2^−102 of its result (2^−102 of |a| + |b| for a sum).
+/// One operation errs by at most 2^−102 of its result (2^−102 of |a| + |b| for a sum of unlike signs):
+/// with u = 2^−53, Joldes, Muller and Popescu (2017) prove 3u² for sums of this kind, 5u² for products
+/// and 15u² for quotients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPart {
     /// The nearest `f64`.
@@ -55,6 +57,11 @@ fn halves(a: f64) -> (f64, f64) {
     (hi, a - hi)
 }
 
+/// a · b for vectors: products and sums in two parts.
+pub fn dot(a: [TwoPart; 3], b: [TwoPart; 3]) -> TwoPart {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
 impl TwoPart {
     /// The square root; zero of zero. The number must not be negative.
     pub fn sqrt(self) -> TwoPart {
@@ -65,11 +72,6 @@ impl TwoPart {
         let s = self.hi.sqrt();
         let rest = self - two_product(s, s);
         fast_two_sum(s, rest.hi / (2.0 * s))
-    }
-
-    /// The magnitude.
-    pub fn abs(self) -> TwoPart {
-        if self.hi < 0.0 { -self } else { self }
     }
 }
 

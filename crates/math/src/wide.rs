@@ -17,7 +17,7 @@ pub struct Wide {
     exponent: i32,
 }
 
-/// The smallest difference of exponents at which the smaller of two summands no longer matters.
+/// Beyond this difference of exponents the smaller of two summands no longer matters.
 const NEGLIGIBLE: i32 = 220;
 
 impl Wide {
@@ -36,8 +36,8 @@ impl Wide {
         Wide { significand, exponent: exponent + shift }
     }
 
-    /// The nearest `f64`, or almost (an error of 2^−50 of its last digit): infinite above the largest,
-    /// zero or subnormal below the smallest normal one. Zero is never negative.
+    /// The nearest `f64`, or one beside it where it is subnormal: infinite above the largest, zero below
+    /// the smallest. Zero is never negative.
     pub fn to_f64(self) -> f64 {
         scaled(self.significand.hi + self.significand.lo, self.exponent) + 0.0
     }
@@ -52,8 +52,8 @@ impl Wide {
         std::array::from_fn(|axis| Wide::of(v.components()[axis]))
     }
 
-    /// The number of the precision R nearest to a root t, except that no negative one becomes zero:
-    /// what lies behind the origin of a ray stays behind it.
+    /// A root t in the precision R, to a rounding (two for `f32`, by way of `f64`), except that no
+    /// negative one becomes zero: what lies behind the origin of a ray stays behind it.
     pub fn rounded<R: Real>(self) -> R {
         let nearest = R::round_from(self.to_f64());
         if self.is_negative() && nearest == R::from(0.0) { -R::SMALLEST } else { nearest }

@@ -4,20 +4,52 @@ use math::Real;
 
 use crate::{Canvas, Case, Error, Row, Transcript};
 
-/// A chapter as the commands see it. All that a new stage has to write.
-pub trait Stage: Sync {
+/// A chapter as it is written: all that a new stage has to say.
+pub trait Chapter: Sync {
     /// Its name, its methods, where it stands in the book.
     fn about(&self) -> About;
 
-    /// Explains one ray and draws the picture.
+    /// Explains one ray and draws the picture, both computed in R.
     ///
     /// [`Error::Request`] where the method cannot serve the request (`edges` with a single column).
-    fn show(&self, ask: &Ask) -> Result<Shown, Error>;
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error>;
 
-    /// Answers one row of a case file; an invalid case is a row too.
+    /// Answers one row of a case file in R; an invalid case is a row too.
     ///
     /// [`Error::Request`] where a field is no number, from [`Case::numbers`].
+    fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
+}
+
+/// A chapter as the commands see it: the precision is part of the request. Every [`Chapter`] is one.
+pub trait Stage: Sync {
+    /// See [`Chapter::about`].
+    fn about(&self) -> About;
+
+    /// See [`Chapter::show`].
+    fn show(&self, ask: &Ask) -> Result<Shown, Error>;
+
+    /// See [`Chapter::eval`].
     fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
+}
+
+impl<C: Chapter> Stage for C {
+    fn about(&self) -> About {
+        Chapter::about(self)
+    }
+
+    fn show(&self, ask: &Ask) -> Result<Shown, Error> {
+        match ask.precision {
+            Precision::F32 => Chapter::show::<f32>(self, ask),
+            Precision::F64 => Chapter::show::<f64>(self, ask),
+        }
+    }
+
+    fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+        match ask.precision {
+            Precision::F32 => Chapter::eval::<f32>(self, ask, case),
+            Precision::F64 => Chapter::eval::<f64>(self, ask, case),
+        }
+    }
 }
 
 /// What every stage says of itself.

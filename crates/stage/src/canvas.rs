@@ -9,7 +9,7 @@ use crate::{Color, Error, font};
 
 /// A picture in the making.
 ///
-/// Pixels are set with [`put`](Canvas::put). Lines and labels are drawn in units that the stage
+/// Pixels are set with [`shade`](Canvas::shade). Lines and labels are drawn in units that the stage
 /// chooses with [`fit`](Canvas::fit), y downward, so that a drawing looks the same at every size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canvas {
@@ -139,14 +139,20 @@ impl Canvas {
         Transform::from_row(scale, 0.0, 0.0, scale, x, y)
     }
 
-    /// A line from one point to another.
-    pub fn line(&mut self, from: Point, to: Point, pen: Pen) {
-        self.polyline(&[from, to], pen);
+    /// The corners of the whole picture, top left and bottom right, in the units of
+    /// [`fit`](Canvas::fit): where its shape is not the frame's, they lie outside the frame.
+    pub fn corners(&self) -> ((f32, f32), (f32, f32)) {
+        let (columns, rows) = self.size();
+        let corner = |x: f64, y: f64| {
+            let (x, y) = self.place((x, y));
+            (x as f32, y as f32)
+        };
+        (corner(0.0, 0.0), corner(f64::from(columns), f64::from(rows)))
     }
 
-    /// A line through points.
-    pub fn polyline(&mut self, points: &[Point], pen: Pen) {
-        if let Some(path) = path(points, false) {
+    /// A line from one point to another.
+    pub fn line(&mut self, from: Point, to: Point, pen: Pen) {
+        if let Some(path) = path(&[from, to], false) {
             self.stroke(&path, pen);
         }
     }
@@ -211,8 +217,18 @@ impl Canvas {
         self.line((x - radius, y + radius), (x + radius, y - radius), pen);
     }
 
-    /// A line of text.
+    /// Letters smaller than this many pixels cannot be read and are left out.
+    const SMALLEST_LETTERS: f64 = 5.0;
+
+    fn is_readable(&self, size: f32) -> bool {
+        f64::from(size) * self.fit.scale >= Self::SMALLEST_LETTERS
+    }
+
+    /// A line of text; left out where the picture is too small to read it.
     pub fn label(&mut self, (x, y): Point, anchor: Anchor, size: f32, color: Color, text: &str) {
+        if !self.is_readable(size) {
+            return;
+        }
         let width = font::width(text, size);
         let start = match anchor {
             Anchor::Left => x,
@@ -224,8 +240,11 @@ impl Canvas {
         }
     }
 
-    /// A line of text on a light plate, readable over anything.
+    /// A line of text on a light plate, legible over anything; left out like a [`label`](Canvas::label).
     pub fn plate(&mut self, (x, y): Point, anchor: Anchor, size: f32, color: Color, text: &str) {
+        if !self.is_readable(size) {
+            return;
+        }
         let (width, pad) = (font::width(text, size), size * 0.3);
         let left = match anchor {
             Anchor::Left => x,

@@ -114,13 +114,14 @@ pub(crate) struct CaseReader<'a, I> {
     /// Where each of `names` stands in a row.
     places: Vec<usize>,
     fields: Vec<Field>,
+    csv: Reader,
 }
 
 impl<'a, I: BufRead> CaseReader<'a, I> {
     /// Reads the header row. `file` is the name that errors give.
     pub(crate) fn new(input: I, file: &'a str, names: &'static [&'static str]) -> Result<Self, Error> {
-        let mut reader =
-            CaseReader { input, file, line: 0, width: 0, names, places: Vec::new(), fields: Vec::new() };
+        let (places, fields, csv) = (Vec::new(), Vec::new(), Reader::new());
+        let mut reader = CaseReader { input, file, line: 0, width: 0, names, places, fields, csv };
         let expected = names.join(",");
         if !reader.read_fields()? {
             return Err(Error::Request(format!(
@@ -137,6 +138,17 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
                 "{file}:{line}:1: the header row has no column {missing}; this stage reads the columns {expected}"
             )));
         }
+        let twice = reader.fields.iter().enumerate().find(|(at, field)| {
+            let name = field.text.trim_ascii();
+            let before = reader.fields[..*at].iter().any(|other| other.text.trim_ascii() == name);
+            before && names.iter().any(|wanted| wanted.as_bytes() == name)
+        });
+        if let Some((_, Field { text, column })) = twice {
+            let (line, name) = (reader.line, shown(text.trim_ascii()));
+            return Err(Error::Request(format!(
+                "{file}:{line}:{column}: the column {name} stands twice in the header row; leave one of them out"
+            )));
+        }
         reader.places = names.iter().filter_map(place).collect();
         Ok(reader)
     }
@@ -150,7 +162,7 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
         if found != width {
             let at = self.fields.get(width).or(self.fields.last()).map_or(1, |field| field.column);
             return Err(Error::Request(format!(
-                "{file}:{line}:{at}: this row has {found} fields, the header row has {width}; every row needs as many"
+                "{file}:{line}:{at}: the fields of this row are {found}, those of the header row {width}; every row needs as many"
             )));
         }
         let fields = self.places.iter().map(|&place| &self.fields[place]).collect();
@@ -179,8 +191,15 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
             }
         }
         let line = line.trim_ascii_end();
-        self.fields = split(line).ok_or_else(|| {
-            let (file, number, end) = (self.file, self.line, line.len());
+        let (file, number) = (self.file, self.line);
+        if let Some(at) = line.iter().position(|&byte| byte == b'\r') {
+            let column = at + 1;
+            return Err(Error::Request(format!(
+                "{file}:{number}:{column}: a carriage return inside a line; end the lines with \\n or \\r\\n"
+            )));
+        }
+        self.fields = split(&mut self.csv, line).ok_or_else(|| {
+            let end = line.len();
             Error::Request(format!(
                 "{file}:{number}:{end}: a quoted field does not end on its line; close it with \""
             ))
@@ -190,8 +209,8 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
 }
 
 /// The fields of one line of CSV; `None` where a quoted field does not end.
-fn split(line: &[u8]) -> Option<Vec<Field>> {
-    let mut reader = Reader::new();
+fn split(reader: &mut Reader, line: &[u8]) -> Option<Vec<Field>> {
+    reader.reset();
     let mut text = vec![0; line.len() + 1];
     let mut input: &[u8] = &[line, b"\n"].concat();
     let mut fields = Vec::new();

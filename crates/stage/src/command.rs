@@ -28,8 +28,7 @@ pub fn main_from(stage: &dyn Stage, args: impl IntoIterator<Item = OsString>) ->
     }
 }
 
-/// Prints what the command line's reader has to say, a usage error or the help that was asked for, and
-/// gives its exit status.
+/// Prints clap's message, a usage error or the help that was asked for, and gives its exit status.
 pub fn refuse(usage: &clap::Error) -> ExitCode {
     let printed = usage.print();
     match usage.exit_code() {
@@ -100,7 +99,7 @@ fn show(
 pub fn report(shown: &Shown, picture: &Path, json: bool) -> String {
     let transcript = &shown.transcript;
     if json {
-        let report = Report { transcript, picture: Some(picture) };
+        let report = Report { transcript, picture };
         let text = serde_json::to_string_pretty(&report).expect("a transcript has only string keys");
         text + "\n"
     } else {
@@ -141,7 +140,7 @@ fn command(about: &About) -> Command {
                 .long("cases")
                 .value_name("FILE")
                 .value_parser(value_parser!(PathBuf))
-                .help("A CSV file with a header row; without it, standard input"),
+                .help("A CSV file with a header row; without it, or for -, standard input"),
         );
     Command::new(*name)
         .bin_name(*name)
@@ -171,6 +170,7 @@ fn command(about: &About) -> Command {
                 Arg::new("size")
                     .long("size")
                     .value_name("WIDTHxHEIGHT")
+                    .allow_hyphen_values(true)
                     .value_parser(parse_size)
                     .help(format!("The picture's size in pixels [default: {}x{}]", size.0, size.1)),
                 Arg::new("out")

@@ -44,3 +44,10 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// A stage's own scene is never degenerate; if it were, the stage could not be shown.
+impl From<math::Degenerate> for Error {
+    fn from(degenerate: math::Degenerate) -> Error {
+        Error::Failed(degenerate.to_string())
+    }
+}

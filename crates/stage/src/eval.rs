@@ -14,7 +14,7 @@ pub(crate) fn eval(
     cases: Option<&Path>,
     output: &mut dyn Write,
 ) -> Result<(), Error> {
-    match cases {
+    match cases.filter(|path| *path != Path::new("-")) {
         None => answer(stage, ask, io::stdin().lock(), "standard input", output),
         Some(path) => {
             let name = path.display().to_string();

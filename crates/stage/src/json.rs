@@ -10,7 +10,7 @@ use crate::{Section, Step, Transcript, Value};
 /// What `show --format json` prints: a transcript and where its picture went.
 pub(crate) struct Report<'a> {
     pub(crate) transcript: &'a Transcript,
-    pub(crate) picture: Option<&'a Path>,
+    pub(crate) picture: &'a Path,
 }
 
 impl Serialize for Report<'_> {
@@ -26,9 +26,7 @@ impl Serialize for Report<'_> {
         map.serialize_entry("stage", stage)?;
         map.serialize_entry("method", method)?;
         map.serialize_entry("precision", precision)?;
-        if let Some(picture) = self.picture {
-            map.serialize_entry("picture", &picture.to_string_lossy())?;
-        }
+        map.serialize_entry("picture", &self.picture.to_string_lossy())?;
         map.serialize_entry("steps", &steps)?;
         map.serialize_entry("tables", &tables)?;
         map.end()

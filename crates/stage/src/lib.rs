@@ -1,6 +1,6 @@
 //! What a stage binary is made of: its verbs, the list of steps, pictures, case files, exit status.
 //!
-//! A chapter implements [`Stage`] in its `stage.rs` and calls [`main`] in its `main.rs`:
+//! A chapter implements [`Chapter`] in its `stage.rs` and calls [`main`] in its `main.rs`:
 //!
 //! ```ignore
 //! fn main() -> std::process::ExitCode {
@@ -28,7 +28,7 @@ mod value;
 mod view;
 mod whole_file;
 
-pub use ask::{About, Ask, Precision, Shown, Stage};
+pub use ask::{About, Ask, Chapter, Precision, Shown, Stage};
 pub use canvas::{Anchor, Canvas, Pen};
 pub use case::{Case, Row};
 pub use color::Color;

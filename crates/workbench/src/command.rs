@@ -56,8 +56,7 @@ pub fn command() -> Command {
                 .num_args(0..)
                 .value_parser(PossibleValuesParser::new(stages::names()))
                 .help("The stages to run; without a name, all of them"),
-        )
-        .arg(out());
+        );
     let list = Command::new("list")
         .about("Say what each stage teaches, and which pages of the notes it follows")
         .arg(
@@ -76,9 +75,8 @@ pub fn command() -> Command {
              Exit status: 0 done, 1 it could not be done, 2 the request was wrong",
         )
         .disable_help_subcommand(true)
-        .args_conflicts_with_subcommands(true)
         .subcommands([run, list])
-        .arg(out())
+        .arg(out().global(true))
 }
 
 fn out() -> Arg {

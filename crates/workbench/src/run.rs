@@ -43,21 +43,40 @@ fn show_all(stages: &[&dyn Stage], folder: &Path) -> Result<Vec<Finished>, Error
     let threads = ThreadPoolBuilder::new().build().map_err(|error| {
         Error::Failed(format!("cannot start the threads: {error}; set RAYON_NUM_THREADS=1 for a single one"))
     })?;
-    let bar = match io::stderr().is_terminal() {
-        true => ProgressBar::new(stages.len() as u64),
-        false => ProgressBar::hidden(),
-    };
+    let progress = Progress::new(stages.len());
     let results: Vec<Result<Finished, Error>> = threads.install(|| {
         let one = |stage: &&dyn Stage| {
             let finished = show(*stage, folder);
-            bar.inc(1);
+            progress.done(stage.about().name);
             finished
         };
         // Stages differ in length, so each is handed out by itself.
         stages.par_iter().with_max_len(1).map(one).collect()
     });
-    bar.finish_and_clear();
+    progress.bar.finish_and_clear();
     results.into_iter().collect()
+}
+
+/// How far the run is: a bar on a terminal, a plain line a stage elsewhere. Both go to standard error.
+struct Progress {
+    bar: ProgressBar,
+    on_terminal: bool,
+}
+
+impl Progress {
+    fn new(stages: usize) -> Progress {
+        let on_terminal = io::stderr().is_terminal();
+        let bar = if on_terminal { ProgressBar::new(stages as u64) } else { ProgressBar::hidden() };
+        Progress { bar, on_terminal }
+    }
+
+    fn done(&self, name: &str) {
+        self.bar.inc(1);
+        if !self.on_terminal {
+            // Where nobody reads them, the lines may be lost.
+            let _ = writeln!(io::stderr(), "ran {name}");
+        }
+    }
 }
 
 fn show(stage: &dyn Stage, folder: &Path) -> Result<Finished, Error> {
