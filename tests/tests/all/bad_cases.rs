@@ -50,6 +50,9 @@ fn bad_files(stage: &dyn Stage) -> Vec<Bad> {
         bad("binary garbage", &garbage(4096), (1, 1)),
         bad("UTF-16", &utf_16(&start), (1, 1)),
         bad("binary garbage after the rows", &[start.as_bytes(), b"\xff\x00\x1b[31m,\x07"].concat(), (3, 9)),
+        bad("lines that end with CR", &format!("{header}\r{row}\r"), (1, header.len() + 1)),
+        bad("a CR inside a row", &format!("{start}{row}\rjunk,7\n"), (3, row.len() + 1)),
+        bad("a column that stands twice", &format!("{header},{first}\n{row},1\n"), (1, header.len() + 2)),
         bad("a very long header row", &vec![b'x'; 3 << 20], (1, 1 << 20)),
         bad("a very long row", &[start.as_bytes(), &vec![b'1'; 3 << 20]].concat(), (3, 1 << 20)),
     ]
@@ -117,10 +120,12 @@ fn standard_input_is_named_too() {
         let (folder, name) = (Folder::new(), stage.about().name);
         let (header, first) = (header(*stage), stage.about().inputs[0]);
         let cases = format!("{header}\n{}\n", row_with(*stage, first, "abc"));
-        let run = run_with_input(folder.path(), name, &["eval"], cases.as_bytes());
-        assert_eq!(run.status, 2);
-        let start = format!("error: standard input:2:1: `abc` in column `{first}` is not a number");
-        assert!(run.errors.starts_with(&start), "{}", run.errors);
+        for args in [&["eval"][..], &["eval", "--cases", "-"]] {
+            let run = run_with_input(folder.path(), name, args, cases.as_bytes());
+            assert_eq!(run.status, 2);
+            let start = format!("error: standard input:2:1: `abc` in column `{first}` is not a number");
+            assert!(run.errors.starts_with(&start), "{args:?}: {}", run.errors);
+        }
     }
 }
 

@@ -68,6 +68,9 @@ fn cases_come_from_a_file_or_through_a_pipe() {
         let pipe = run_with_input(folder.path(), name, &["eval"], plain.as_bytes());
         assert_eq!((file.status, file.errors.as_str()), (0, ""));
         assert_eq!(file.output, pipe.output);
+        let dash = run_with_input(folder.path(), name, &["eval", "--cases", "-"], plain.as_bytes());
+        assert_eq!((dash.status, dash.errors.as_str()), (0, ""));
+        assert_eq!(dash.output, pipe.output, "`-` is standard input");
         let lines: Vec<&str> = file.output.lines().collect();
         assert_eq!((lines[0], lines.len()), (stage.about().results.join(",").as_str(), 2));
         assert_eq!(folder.names(), ["cases.csv"], "eval writes no file");

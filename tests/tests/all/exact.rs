@@ -21,6 +21,12 @@ impl Record {
         self.0.get(column).map_or("", String::as_str)
     }
 
+    /// The names of the columns whose text is NaN.
+    pub(crate) fn nan_columns(&self) -> Vec<&str> {
+        let nan = self.0.iter().filter(|(_, text)| text.eq_ignore_ascii_case("nan"));
+        nan.map(|(column, _)| column.as_str()).collect()
+    }
+
     /// The number in a column, as f64 has it. Panics where there is none.
     pub(crate) fn number(&self, column: &str) -> f64 {
         self.text(column).parse().unwrap_or_else(|_| panic!("a number in {column}: {:?}", self.0))
@@ -85,6 +91,12 @@ impl Answer {
         };
         place(want).abs_diff(place(got))
     }
+}
+
+/// Fails with the first few of the failures.
+pub(crate) fn assert_none(failures: Vec<String>) {
+    let shown = &failures[..failures.len().min(5)];
+    assert!(failures.is_empty(), "{} failures, of which\n{}", failures.len(), shown.join("\n"));
 }
 
 /// The place of a float in the row of all floats, from its bits: zero has the place 0.

@@ -1,16 +1,21 @@
 //! All integration tests, in one program: linking it once is most of what they cost.
 
+mod any_bits;
 mod bad_cases;
 mod bad_requests;
 mod cases;
 mod commands;
+mod draw;
+mod dyadic;
 mod exact;
 mod exact_cases;
 mod help;
 mod pictures;
 mod pipes;
 mod process;
+mod readme;
 mod transcripts;
+mod verdicts;
 mod workbench;
 
 /// Compares a text with the committed `snapshots/NAME.snap`.

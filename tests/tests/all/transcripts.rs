@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use stage::{Ask, Precision, Stage, default_ask, report};
+use serde_json::Value as Json;
+use stage::{Ask, Precision, Section, Stage, Transcript, Value, default_ask, report};
 use tests::STAGES;
 
 use crate::assert_snapshot;
@@ -28,23 +29,58 @@ fn every_method_prints_its_transcript() {
 }
 
 #[test]
-fn a_transcript_has_the_same_steps_as_json() {
+fn a_transcript_has_the_same_steps_and_tables_as_json() {
     for stage in STAGES {
         for ask in requests(*stage) {
             let shown = stage.show(&ask).unwrap();
             let json = report(&shown, Path::new("picture.png"), true);
-            let json: serde_json::Value = serde_json::from_str(&json).unwrap();
-            let said = json["steps"].as_array().unwrap().iter().map(|step| {
-                let value = &step["value"];
-                assert!(value.is_number() || value.is_array() || value.is_string(), "{step}");
-                (step["symbol"].as_str().unwrap(), step["formula"].as_str().unwrap())
-            });
-            let sections = &shown.transcript.sections;
-            let steps = sections.iter().flat_map(|section| &section.steps);
-            let steps = steps.map(|step| (step.symbol.as_str(), step.formula.as_str()));
-            assert!(said.clone().next().is_some(), "{ask:?}: no step at all");
-            assert!(said.eq(steps), "{ask:?}");
+            let json: Json = serde_json::from_str(&json).unwrap();
+            let said = json["steps"].as_array().unwrap();
+            let steps: Vec<_> = shown.transcript.sections.iter().flat_map(|section| &section.steps).collect();
+            assert!(!steps.is_empty(), "{ask:?}: no step at all");
+            assert_eq!(said.len(), steps.len(), "{ask:?}");
+            for (said, step) in said.iter().zip(steps) {
+                let [symbol, formula] = ["symbol", "formula"].map(|key| said[key].as_str().unwrap());
+                assert_eq!((symbol, formula), (step.symbol.as_str(), step.formula.as_str()), "{ask:?}");
+                assert!(is_same(&said["value"], &step.value), "{ask:?}: {said}, {step:?}");
+                assert_eq!(said["note"], step.note, "{ask:?}");
+            }
+
+            let said = json["tables"].as_array().unwrap();
+            let tables: Vec<_> =
+                shown.transcript.sections.iter().flat_map(|section| &section.table).collect();
+            assert_eq!(said.len(), tables.len(), "{ask:?}");
+            for (said, table) in said.iter().zip(tables) {
+                let rows = Value::Array(table.rows.iter().cloned().map(Value::Array).collect());
+                assert!(is_same(&said["rows"], &rows), "{ask:?}: {said}, {table:?}");
+                assert_eq!(said["columns"], Json::from(table.columns.clone()), "{ask:?}");
+            }
         }
+    }
+}
+
+/// Whether JSON says the very value: a number reads back to the same bits in the value's precision.
+fn is_same(said: &Json, value: &Value) -> bool {
+    match value {
+        Value::F32(x) if x.is_finite() => {
+            said.as_f64().is_some_and(|said| (said as f32).to_bits() == x.to_bits())
+        }
+        Value::F64(x) if x.is_finite() => said.as_f64().is_some_and(|said| said.to_bits() == x.to_bits()),
+        Value::F32(x) => *said == not_finite((*x).into()),
+        Value::F64(x) => *said == not_finite(*x),
+        Value::Array(values) => said.as_array().is_some_and(|said| {
+            said.len() == values.len() && said.iter().zip(values).all(|(said, value)| is_same(said, value))
+        }),
+        Value::Text(text) => said == text,
+    }
+}
+
+/// What the contract writes for a number that is not finite.
+fn not_finite(x: f64) -> &'static str {
+    match () {
+        _ if x.is_nan() => "nan",
+        _ if x > 0.0 => "inf",
+        _ => "-inf",
     }
 }
 
@@ -56,9 +92,51 @@ fn every_pixel_of_a_small_picture_is_explained() {
         for ask in requests(*stage) {
             for pixel in (0..size.1).flat_map(|row| (0..size.0).map(move |col| (col, row))) {
                 let ask = Ask { size, pixel: Some(pixel), ..ask };
-                let sections = stage.show(&ask).unwrap().transcript.sections;
-                assert!(!sections[0].steps.is_empty(), "{name} {ask:?}");
+                let mut shown = stage.show(&ask).unwrap();
+                assert_eq!(shown.picture.size(), size, "{name} {ask:?}");
+                assert!(
+                    states_a_verdict(&shown.transcript.sections[0]),
+                    "{name} {ask:?}:\n{}",
+                    shown.transcript
+                );
+                set_apart_what_is_nan_on_purpose(&mut shown.transcript);
+                for json in [false, true] {
+                    let report = report(&shown, Path::new("picture.png"), json);
+                    let words = report.split(|letter: char| !letter.is_alphanumeric());
+                    let nan = words.filter(|word| word.eq_ignore_ascii_case("nan")).count();
+                    assert_eq!(nan, 0, "{name} {ask:?}:\n{report}");
+                }
             }
+        }
+    }
+}
+
+/// Whether a section ends with a point, with `none` or with what a value means; a residual may follow.
+fn states_a_verdict(section: &Section) -> bool {
+    let (residuals, steps): (Vec<_>, Vec<_>) =
+        section.steps.iter().partition(|step| step.symbol == "residual");
+    let Some(last) = steps.last() else { return false };
+    let verdict = match &last.value {
+        Value::Array(numbers) => !numbers.is_empty() && numbers.iter().all(is_finite),
+        Value::Text(text) => text == "none",
+        _ => !last.note.is_empty(),
+    };
+    verdict && residuals.iter().all(|step| is_finite(&step.value))
+}
+
+fn is_finite(value: &Value) -> bool {
+    match value {
+        Value::F32(x) => x.is_finite(),
+        Value::F64(x) => x.is_finite(),
+        Value::Array(_) | Value::Text(_) => false,
+    }
+}
+
+/// Takes out the row that shows Equation 4.2 dividing zero by zero.
+fn set_apart_what_is_nan_on_purpose(transcript: &mut Transcript) {
+    if transcript.stage == "ray-plane" {
+        for table in transcript.sections.iter_mut().filter_map(|section| section.table.as_mut()) {
+            table.rows.retain(|row| row[0] != Value::text("within the plane"));
         }
     }
 }
