@@ -179,7 +179,7 @@ pub(crate) fn trace_ray<R: Real>(
     spheres: &[Painted<R>],
 ) {
     let span = Span::from_view_plane();
-    let seen = scene::trace_ray(method, ray, spheres, span).ok().flatten();
+    let seen = scene::trace_ray(method, ray, spheres, span);
     let rows = spheres.iter().map(|painted| {
         let roots = method.work(ray, &painted.sphere).roots();
         let within = roots.and_then(|roots| roots.first_within(span));
@@ -189,9 +189,9 @@ pub(crate) fn trace_ray<R: Real>(
     let section = transcript.section("TraceRay(O, D, t_min = 1, t_max = ∞)", "Gambetta, Listing 2-4");
     section.table(&["sphere", "t1", "t2", "the nearer in [1, ∞]"], rows.collect());
     let (color, remark) = match seen {
-        Some((index, hit)) => {
+        Some((index, t)) => {
             let Painted { name, color, .. } = spheres[index];
-            (color, format!("closest: {name}, at t = {}", Value::number(hit.t).to_text()))
+            (color, format!("closest: {name}, at t = {}", Value::number(t).to_text()))
         }
         None => (BACKGROUND, "closest: none, the background".to_string()),
     };

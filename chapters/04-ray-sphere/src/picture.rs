@@ -35,8 +35,7 @@ fn shade<R: Real>(canvas: &mut Canvas, method: Method, camera: &Camera<R>) {
     let (size, spheres) = (canvas.size(), three_spheres::<R>());
     canvas.shade(|col, row| {
         let ray = pixel_ray(camera, size, (col, row));
-        // The scene has no degenerate sphere, the camera no zero direction.
-        let seen = trace_ray(method, &ray, &spheres, Span::from_view_plane()).ok().flatten();
+        let seen = trace_ray(method, &ray, &spheres, Span::from_view_plane());
         Color(seen.map_or(BACKGROUND, |(index, _)| spheres[index].color))
     });
 }

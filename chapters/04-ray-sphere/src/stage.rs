@@ -1,6 +1,6 @@
 //! How this chapter shows and evaluates itself.
 
-use math::{Degenerate, Ray3, Real, Span};
+use math::{Ray3, Real, Span};
 use stage::{About, Ask, Case, Chapter, Error, Row, Shown, Transcript};
 
 use crate::scene::{Painted, camera, pixel_ray, tangents, three_spheres, trace_ray};
@@ -62,7 +62,7 @@ fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
         Some(pixel) => pixel_ray(&camera, ask.size, pixel),
         None => camera.ray((R::from(0.0), third)),
     };
-    let index = subject(method, &ray, &spheres)?;
+    let index = subject(method, &ray, &spheres);
     let tangents = tangents(ask.size);
     let mut transcript = Transcript::new(&RaySphere.about(), ask);
     explain::explain(&mut transcript, method, &ray, &spheres[index]);
@@ -76,9 +76,9 @@ fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
 }
 
 /// The sphere a ray is explained against: the one it meets first, else the one it passes closest to.
-fn subject<R: Real>(method: Method, ray: &Ray3<R>, spheres: &[Painted<R>]) -> Result<usize, Degenerate> {
-    if let Some((index, _)) = trace_ray(method, ray, spheres, Span::from_view_plane())? {
-        return Ok(index);
+fn subject<R: Real>(method: Method, ray: &Ray3<R>, spheres: &[Painted<R>]) -> usize {
+    if let Some((index, _)) = trace_ray(method, ray, spheres, Span::from_view_plane()) {
+        return index;
     }
     let distance = |painted: &Painted<R>| crate::closest_approach(ray, &painted.sphere).d;
     let mut nearest = 0;
@@ -87,5 +87,5 @@ fn subject<R: Real>(method: Method, ray: &Ray3<R>, spheres: &[Painted<R>]) -> Re
             nearest = index;
         }
     }
-    Ok(nearest)
+    nearest
 }

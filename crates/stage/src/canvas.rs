@@ -93,21 +93,26 @@ impl Canvas {
         Ok(bytes)
     }
 
-    /// Colors every pixel by its column and row, in strips on as many threads as the machine has.
-    /// The picture does not depend on how many.
+    /// Colors every pixel by its column and row, on as many threads as the machine has: the strips of
+    /// rows are dealt out to them like cards. The picture does not depend on how many.
     pub fn shade(&mut self, color: impl Fn(u32, u32) -> Color + Sync) {
-        let (width, height) = self.size();
-        let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get()) as u32;
-        let rows_each = height.div_ceil(threads).max(1);
-        let strip_bytes = rows_each as usize * width as usize * 4;
+        const ROWS_EACH: u32 = 8;
+        let width = self.pixels.width();
+        let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get());
+        let strip_bytes = (ROWS_EACH as usize) * (width as usize) * 4;
+        let mut shares: Vec<Vec<(u32, &mut [u8])>> = (0..threads).map(|_| Vec::new()).collect();
+        for (strip, bytes) in self.pixels.data_mut().chunks_mut(strip_bytes).enumerate() {
+            shares[strip % threads].push((strip as u32 * ROWS_EACH, bytes));
+        }
         let color = &color;
         std::thread::scope(|scope| {
-            for (strip, bytes) in self.pixels.data_mut().chunks_mut(strip_bytes).enumerate() {
-                let first = strip as u32 * rows_each;
+            for share in shares {
                 scope.spawn(move || {
-                    for (i, pixel) in bytes.chunks_exact_mut(4).enumerate() {
-                        let Color([r, g, b]) = color(i as u32 % width, first + i as u32 / width);
-                        pixel.copy_from_slice(&[r, g, b, 255]);
+                    for (first_row, bytes) in share {
+                        for (i, pixel) in (0..).zip(bytes.chunks_exact_mut(4)) {
+                            let Color([r, g, b]) = color(i % width, first_row + i / width);
+                            pixel.copy_from_slice(&[r, g, b, 255]);
+                        }
                     }
                 });
             }
@@ -323,9 +328,9 @@ mod tests {
 
     #[test]
     fn every_pixel_is_shaded_in_its_place() {
-        let mut canvas = Canvas::new((7, 5), Color::WHITE).unwrap();
+        let mut canvas = Canvas::new((7, 45), Color::WHITE).unwrap();
         canvas.shade(|col, row| Color([col as u8, row as u8, 0]));
-        for (col, row) in [(0, 0), (6, 0), (3, 2), (0, 4), (6, 4)] {
+        for (col, row) in (0..7).flat_map(|col| (0..45).map(move |row| (col, row))) {
             assert_eq!(canvas.pixel(col, row), Some(Color([col as u8, row as u8, 0])));
         }
     }
