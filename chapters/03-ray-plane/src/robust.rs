@@ -79,7 +79,7 @@ pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
 
 /// n · v with twice the digits; `None` where the error left could matter.
 fn in_two_parts(n: [f64; 3], v: [TwoPart; 3]) -> Option<CertainSum> {
-    let products: [TwoPart; 3] = std::array::from_fn(|axis| TwoPart::from(n[axis]) * v[axis]);
+    let products: [TwoPart; 3] = std::array::from_fn(|axis| v[axis] * n[axis]);
     let sum = products[0] + products[1] + products[2];
     let size: f64 = products.iter().map(|product| product.hi.abs()).sum();
     let certain = SAFE.contains(&size) && SUM_ERROR * size <= HARMLESS * sum.hi.abs();
@@ -117,8 +117,8 @@ impl<R: Real> Robust<R> {
         (x + y + z).sqrt()
     }
 
-    /// The hit, where its t lies in `span`: t, x = p_r + t u_r and n / ‖n‖ in twice the digits, rounded at
-    /// the end. (Where x cancels, what is left is 2^−100 of p_r, not zero.)
+    /// The hit, where its t lies in `span`: t and x = p_r + t u_r in twice the digits, rounded at the end.
+    /// (Where x cancels, what is left is 2^−100 of p_r, not zero.)
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.plane.check(&self.ray)?;
         let Some(wide_t) = self.wide_t() else { return Ok(None) };
@@ -127,12 +127,10 @@ impl<R: Real> Robust<R> {
             return Ok(None);
         }
         let round = |x: Wide| R::round_from(x.to_f64());
-        let [p, u, n] = [self.ray.origin, self.ray.direction, self.plane.normal].map(Wide::vector::<R, 3>);
-        let length = self.normal_length();
+        let [p, u] = [self.ray.origin, self.ray.direction].map(Wide::vector::<R, 3>);
         let [x, y, z] = std::array::from_fn(|axis| round(p[axis] + wide_t * u[axis]));
-        let [n_x, n_y, n_z] = n.map(|component| round(component / length));
         let t = t + R::from(0.0); // minus zero is zero
-        Ok(Some(Hit { t, point: R::vec3(x, y, z), normal: R::vec3(n_x, n_y, n_z) }))
+        Ok(Some(Hit { t, point: R::vec3(x, y, z), normal: self.plane.unit_normal() }))
     }
 }
 

@@ -22,7 +22,7 @@
 //! Squares of 1e±200 overflow or vanish; there the exact sums are taken straight away. `f32` is
 //! computed in `f64`, where products of `f32` are exact, and rounded at the end.
 
-use math::two_part::{dot, two_sum};
+use math::two_part::{dot, two_product, two_sum};
 use math::{Degenerate, Exact, Hit, Ray3, Real, Roots, Span, TwoPart, Vector, Wide};
 
 use crate::{Hit3, Sphere};
@@ -175,14 +175,14 @@ pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
 
 /// The closest approach with twice the digits; `None` where the error left could matter.
 fn in_two_parts(direction: [f64; 3], l: [TwoPart; 3], r: f64) -> Option<Approach> {
-    let d = direction.map(TwoPart::from);
-    let radius = TwoPart::from(r);
-    let (a, b, l_l) = (dot(d, d), dot(l, d), dot(l, l));
-    let c = l_l - radius * radius;
+    let d = direction;
+    let r_r = two_product(r, r);
+    let (a, b, l_l) = (dot(d.map(TwoPart::from), d), dot(l, d), dot(l, l));
+    let c = l_l - r_r;
     let t_close = b / a;
     let p: [TwoPart; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
     let p_p = dot(p, p);
-    let half_chord_squared = radius * radius - p_p;
+    let half_chord_squared = r_r - p_p;
 
     let p_error = P_ERROR * l_l.hi.sqrt();
     let error = p_error * (2.0 * p_p.hi.sqrt() + p_error) + SUM_ERROR * (p_p.hi + r * r);

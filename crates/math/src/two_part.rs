@@ -57,8 +57,11 @@ fn halves(a: f64) -> (f64, f64) {
     (hi, a - hi)
 }
 
-/// a · b for vectors: products and sums in two parts.
-pub fn dot(a: [TwoPart; 3], b: [TwoPart; 3]) -> TwoPart {
+/// a · b for vectors, in two parts: products and sums with twice the digits.
+pub fn dot<B: Copy>(a: [TwoPart; 3], b: [B; 3]) -> TwoPart
+where
+    TwoPart: Mul<B, Output = TwoPart>,
+{
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -113,12 +116,20 @@ impl Mul for TwoPart {
     }
 }
 
+impl Mul<f64> for TwoPart {
+    type Output = TwoPart;
+    fn mul(self, factor: f64) -> TwoPart {
+        let high = two_product(self.hi, factor);
+        fast_two_sum(high.hi, high.lo + self.lo * factor)
+    }
+}
+
 impl Div for TwoPart {
     type Output = TwoPart;
     fn div(self, other: TwoPart) -> TwoPart {
         // Long division with two digits, each a f64.
         let first = self.hi / other.hi;
-        let rest = self - other * TwoPart::from(first);
+        let rest = self - other * first;
         fast_two_sum(first, rest.hi / other.hi)
     }
 }
