@@ -1,10 +1,10 @@
 //! The transcript: from a pixel to its ray, and what the page says about it.
 
-use math::{Camera, Grid, Handedness, NoGrid, Real, Window};
+use math::{Camera, Grid, Handedness, NoGrid, Real, Vector, Window};
 use stage::{Error, Section, Transcript, Value};
 
 use crate::gambetta::{canvas_coordinates, canvas_pixel, canvas_to_viewport, main_method};
-use crate::house::{house_pixel, house_row, raycast};
+use crate::house::{house_pixel, house_row, in_camera, raycast};
 use crate::stage::{HOUSE_SIZE, camera, house_window};
 use crate::{Csc418Pixel, GambettaPixel, HousePixel, cast_through, csc418, csc418_pixel, letter, project};
 
@@ -35,6 +35,9 @@ pub(crate) fn explain<R: Real>(
             csc418_steps(transcript.section(title, "CSC418 11.2"), camera, size, &pixel);
         }
     }
+    if let Some(section) = transcript.sections.last_mut() {
+        closed_form(section, grid, window, f, size, (col, row));
+    }
     Ok(())
 }
 
@@ -54,15 +57,39 @@ fn house_steps<R: Real>(section: &mut Section, (columns, rows): (u32, u32), z_p:
         .number("w", "the width of the viewscreen", w)
         .number("h", "its height", h)
         .number("z_p", "its distance", z_p)
-        .step("c", "(c_x, c_y), its center", pair(pixel.c))
+        .vector::<R>("c", "(c_x, c_y, −z_p), its center", pixel.c)
+        .note("House's camera is aimed down −z")
         .step("i", "the row", whole(pixel.i))
         .note("from the bottom; a picture file counts from the top")
         .step("j", "the column", whole(pixel.j))
         .number("pixwidth", "w / N", pixel.pixwidth)
         .number("pixheight", "h / M", pixel.pixheight)
-        .vector::<R>("p", "c − (w/2, h/2) + (pixwidth (j + 0.5), pixheight (i + 0.5))", pixel.p)
-        .note("and z_p; House's camera looks down −z")
+        .number("p_x", "c_x − w / 2 + pixwidth (j + 0.5)", pixel.p.x())
+        .number("p_y", "c_y − h / 2 + pixheight (i + 0.5)", pixel.p.y())
+        .vector::<R>("p", "(p_x, p_y, −z_p)", pixel.p)
         .vector::<R>("u_r", "p / ‖p‖", pixel.u_r);
+}
+
+/// The point as `eval` gives it, by the closed form of `math::grid`: the same on paper, and but for the
+/// last digit in floating point.
+fn closed_form<R: Real>(
+    section: &mut Section,
+    grid: Grid,
+    window: &Window<R>,
+    f: R,
+    size: (u32, u32),
+    pixel: (u32, u32),
+) {
+    let formula = match grid {
+        Grid::Centers => "(left + (col + ½) w / N, top − (row + ½) h / M, distance)",
+        Grid::Lattice => "about the center: ((col − C_w/2) w / C_w, (C_h/2 − row) h / C_h)",
+        Grid::Edges => "(left + col w / (n_c − 1), top − row h / (n_r − 1), distance)",
+    };
+    if let Ok((x, y)) = grid.point(window, size, pixel) {
+        section
+            .vector::<R>("(x, y, z)", formula, R::vec3(x, y, f))
+            .note("in camera coordinates, as eval answers");
+    }
 }
 
 fn gambetta_steps<R: Real>(section: &mut Section, d: R, pixel: &GambettaPixel<R>) {
@@ -144,18 +171,18 @@ pub(crate) fn similar_triangles<R: Real>(transcript: &mut Transcript) {
         .number("residual", "‖x(t) − (y_0, z_0)‖", cast.residual);
 }
 
-/// One turn of a loop: what the page calls the pixel, its column and row, and what its ray sees.
+/// One turn of a loop: which pixel, what the page calls it, and what its ray sees.
 struct Visit {
-    name: String,
     pixel: (u32, u32),
+    name: String,
     seen: &'static str,
 }
 
-impl Visit {
-    fn cells(&self) -> [Value; 3] {
-        let (col, row) = self.pixel;
-        [Value::text(&self.name), Value::text(format!("{col},{row}")), Value::text(self.seen)]
-    }
+/// The turns of a loop by their pixels, row by row, each with its place in the loop from 1.
+fn by_pixel(visits: Vec<Visit>) -> Vec<(usize, Visit)> {
+    let mut numbered: Vec<(usize, Visit)> = (1..).zip(visits).collect();
+    numbered.sort_by_key(|(_, visit)| (visit.pixel.1, visit.pixel.0));
+    numbered
 }
 
 fn seen(on_letter: bool) -> &'static str {
@@ -165,43 +192,41 @@ fn seen(on_letter: bool) -> &'static str {
 /// House's loop and Gambetta's over the same picture of the letter F, side by side.
 pub(crate) fn two_loops<R: Real>(transcript: &mut Transcript) {
     let (window, z_p, size) = (house_window::<R>(), R::from(2.0), HOUSE_SIZE);
-    let image = raycast(&window, z_p, size, letter::shoot::<R>, letter::shade::<R>);
+    let shoot = |u_r| letter::shoot::<R>(in_camera::<R>(u_r));
+    let image = raycast(&window, z_p, size, shoot, letter::shade::<R>);
     let mut house = Vec::new();
     for (i, line) in (0..).zip(&image) {
         for (j, &color) in (0..).zip(line) {
             let name = format!("i = {i}, j = {j}");
-            house.push(Visit { name, pixel: (j, house_row(size.1, i)), seen: seen(color) });
+            house.push(Visit { pixel: (j, house_row(size.1, i)), name, seen: seen(color) });
         }
     }
     let mut gambetta = Vec::new();
     let trace_ray = |direction| letter::shade::<R>(letter::shoot::<R>(direction));
     main_method(&window, z_p, size, trace_ray, |(x, y), color| {
         let name = format!("x = {}, y = {}", Value::number(x).to_text(), Value::number(y).to_text());
-        gambetta.push(Visit { name, pixel: canvas_pixel(size, (x, y)), seen: seen(color) });
+        gambetta.push(Visit { pixel: canvas_pixel(size, (x, y)), name, seen: seen(color) });
     });
-    let rows = house.iter().zip(&gambetta).map(|(a, b)| a.cells().into_iter().chain(b.cells()).collect());
-    let rows: Vec<Vec<Value>> = rows.collect();
-    let pixels = |visits: &[Visit]| {
-        let mut pixels: Vec<(u32, u32)> = visits.iter().map(|visit| visit.pixel).collect();
-        pixels.sort_unstable();
-        pixels
-    };
-    let remark = match pixels(&house) == pixels(&gambetta) {
-        true => {
-            "Both visit every pixel once, in different orders; at its center and at its corner they may see different things."
-        }
-        false => "They visit different pixels.",
-    };
+    let (house, gambetta) = (by_pixel(house), by_pixel(gambetta));
+    let same = house.iter().map(|(_, a)| a.pixel).eq(gambetta.iter().map(|(_, b)| b.pixel));
+    let rows = house.iter().zip(&gambetta).map(|((turn_a, a), (turn_b, b))| {
+        let (col, row) = a.pixel;
+        let turn = |turn: &usize| turn.to_string();
+        let cells = [format!("{col},{row}"), a.name.clone(), turn(turn_a), a.seen.to_string()];
+        let more = [b.name.clone(), turn(turn_b), b.seen.to_string()];
+        cells.into_iter().chain(more).map(Value::text).collect()
+    });
     transcript
-        .section(
-            "House's loop and Gambetta's: a letter F behind the same 15 pixels",
-            "House 4.1; Gambetta, Listing 2-2",
-        )
+        .section("Two loops over the same pixels, with a letter F behind them", "House 4.1; Gambetta, Listing 2-2")
         .table(
-            &["image[i][j]", "pixel", "shade(shoot(u_r))", "PutPixel(x, y)", "pixel", "TraceRay(O, D)"],
-            rows,
+            &["pixel", "image[i][j]", "turn", "shade(shoot(u_r))", "PutPixel(x, y)", "turn", "TraceRay(O, D)"],
+            rows.collect(),
         )
-        .remark(remark);
+        .remark(match same {
+            true => "Both visit every pixel once, House row by row, Gambetta column by column, both from the bottom.",
+            false => "They visit different pixels.",
+        })
+        .remark("House looks through the center of a pixel and Gambetta through a corner: they may see different things.");
 }
 
 /// The frame, the window and the field of view of a camera anywhere, and a pixel's way into the world.
@@ -212,7 +237,7 @@ pub(crate) fn general_camera<R: Real>(transcript: &mut Transcript) -> Result<(),
     let camera = Camera::looking(eye, forward, up, Handedness::Right, f, window)?;
     let Window { left, right, bottom, top } = camera.window;
     let section = transcript.section(
-        "A camera anywhere: r̄ = ē + a u⃗ + b v⃗ + f w⃗, here at (2, 1, 2), looking at the origin",
+        "A camera anywhere: the image plane r̄ + a u⃗ + b v⃗, here from (2, 1, 2) toward the origin",
         "CSC418 11.2",
     );
     section

@@ -45,7 +45,7 @@ pub fn canvas_coordinates<R: Real>((columns, rows): (u32, u32), (col, row): (u32
     (col - c_w * half, c_h * half - row)
 }
 
-/// `PutPixel`'s other way round: the column and row of canvas coordinates.
+/// `PutPixel`'s other way round: the column and row of canvas coordinates that lie on the canvas.
 pub fn canvas_pixel<R: Real>((columns, rows): (u32, u32), (x, y): (R, R)) -> (u32, u32) {
     let (x, y): (f64, f64) = (x.into(), y.into());
     ((f64::from(columns) / 2.0 + x) as u32, (f64::from(rows) / 2.0 - y) as u32)

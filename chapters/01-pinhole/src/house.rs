@@ -2,10 +2,9 @@
 
 use math::{Real, Vector, Window};
 
-/// Every number on the way to House's ray through pixel (i, j).
-///
-/// Coordinates are the camera's: x right, y up, z into the scene. (House looks down −z; his third
-/// coordinate is the negative of this one.)
+/// Every number on the way to House's ray through pixel (i, j), in his coordinates: the camera is at
+/// the origin and aimed down the negative z axis. (In camera coordinates z points into the scene: see
+/// [`in_camera`].)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HousePixel<R: Real> {
     /// The row, counted from the bottom.
@@ -14,8 +13,8 @@ pub struct HousePixel<R: Real> {
     pub j: u32,
     /// w and h, the width and height of the viewscreen.
     pub screen: (R, R),
-    /// c_x and c_y, the center of the screen; zero for a camera that looks through its middle.
-    pub c: (R, R),
+    /// c = (c_x, c_y, −z_p), the center of the screen.
+    pub c: R::Vec3,
     /// w / N, the width of one pixel.
     pub pixwidth: R,
     /// h / M, the height of one pixel.
@@ -43,15 +42,23 @@ pub fn house_pixel<R: Real>(
     let pixwidth = w / n;
     let p_y = c_y - h / two + pixheight * (row + half);
     let p_x = c_x - w / two + pixwidth * (column + half);
-    let p = R::vec3(p_x, p_y, z_p);
+    let p_z = -z_p;
+    let p = R::vec3(p_x, p_y, p_z);
     let u_r = p / p.length();
 
-    HousePixel { i, j, screen: (w, h), c: (c_x, c_y), pixwidth, pixheight, p, u_r }
+    let c = R::vec3(c_x, c_y, p_z);
+    HousePixel { i, j, screen: (w, h), c, pixwidth, pixheight, p, u_r }
 }
 
-/// House's row of a row of a picture file: his row 0 is the bottom one, since i grows with y.
+/// A point or direction of House's in camera coordinates: x right, y up, z into the scene.
+pub fn in_camera<R: Real>(v: R::Vec3) -> R::Vec3 {
+    R::vec3(v.x(), v.y(), -v.components()[2])
+}
+
+/// House's row of a row of a picture file of `rows` rows, `row` < `rows`: his row 0 is the bottom one,
+/// since i grows with y.
 pub fn house_row(rows: u32, row: u32) -> u32 {
-    rows.saturating_sub(1 + row)
+    rows.saturating_sub(1).saturating_sub(row)
 }
 
 /// House's algorithm: for each row, for each column, shoot a ray and shade what it hits.
@@ -90,9 +97,9 @@ mod tests {
     #[test]
     fn the_first_pixel_of_the_picture_is_in_the_pages_last_row() {
         let pixel = house_pixel(&WINDOW, 2.0, (5, 3), (house_row(3, 0), 0));
-        // by hand: −2.5 + 0.5 and −1.5 + 2.5; ‖(−2, 1, 2)‖ = 3
-        assert_eq!((pixel.i, pixel.p), (2, DVec3::new(-2.0, 1.0, 2.0)));
-        assert_eq!(pixel.u_r, DVec3::new(-2.0, 1.0, 2.0) / 3.0);
+        // by hand: −2.5 + 0.5 and −1.5 + 2.5; ‖(−2, 1, −2)‖ = 3
+        assert_eq!((pixel.i, pixel.p), (2, DVec3::new(-2.0, 1.0, -2.0)));
+        assert_eq!(pixel.u_r, DVec3::new(-2.0, 1.0, -2.0) / 3.0);
     }
 
     /// Row i grows with y, so row 0 is at the bottom; a picture file's row 0 is its top (slip 4).

@@ -49,7 +49,7 @@ fn side_view(canvas: &mut Canvas) {
     let label = |canvas: &mut Canvas, z, y, text: &str| {
         canvas.plate(view.at((z, y)), Anchor::Middle, 13.0, Color::BLACK, text);
     };
-    label(canvas, 0.0, 0.25, "pinhole, eye");
+    canvas.plate(view.at((-0.12, 0.2)), Anchor::Right, 13.0, Color::BLACK, "pinhole, eye");
     label(canvas, seen.z_0, 2.15, "object");
     label(canvas, seen.z_p, 1.55, "view plane: upright");
     label(canvas, -seen.z_p, 1.55, "film: upside down");
@@ -69,10 +69,10 @@ fn measure(canvas: &mut Canvas, view: View, z: f64, y: f64, name: &str) {
 /// A letter through the pinhole, 21 rays by 21: on the film behind, and on the view plane in front.
 fn letters<R: Real>(canvas: &mut Canvas) {
     canvas.label((610.0, 26.0), Anchor::Left, 16.0, Color::BLACK, "The same letter F, a ray a pixel");
-    raster::<R>(canvas, (612.0, 80.0), Color::VERMILLION, -1.0);
-    raster::<R>(canvas, (786.0, 80.0), Color::GREEN, 1.0);
-    canvas.label((690.0, 262.0), Anchor::Middle, 13.0, Color::BLACK, "on the film behind");
-    canvas.label((864.0, 262.0), Anchor::Middle, 13.0, Color::BLACK, "on the view plane in front");
+    raster::<R>(canvas, (610.0, 80.0), Color::VERMILLION, -1.0);
+    raster::<R>(canvas, (780.0, 80.0), Color::GREEN, 1.0);
+    canvas.label((688.0, 262.0), Anchor::Middle, 13.0, Color::BLACK, "on the film behind");
+    canvas.label((858.0, 262.0), Anchor::Middle, 12.5, Color::BLACK, "on the view plane in front");
     canvas.label(
         (610.0, 296.0),
         Anchor::Left,
@@ -122,7 +122,7 @@ fn mark(canvas: &mut Canvas, grid: Grid, at: (f32, f32), chosen: bool) {
 fn three_grids<R: Real>(canvas: &mut Canvas, chosen: Grid) {
     let title = "House's 3 × 5 picture, sampled on the three grids";
     canvas.label((20.0, 364.0), Anchor::Left, 16.0, Color::BLACK, title);
-    let view = View::new((-2.5, -1.5), (2.5, 1.5), (130.0, 400.0), (610.0, 688.0));
+    let view = View::new((-2.5, -1.5), (2.5, 1.5), (150.0, 400.0), (615.0, 680.0));
     for x in 0..=5 {
         let x = f64::from(x) - 2.5;
         view.line(canvas, (x, -1.5), (x, 1.5), Pen::solid(Color::PALE, 1.5));
@@ -144,6 +144,7 @@ fn three_grids<R: Real>(canvas: &mut Canvas, chosen: Grid) {
             &format!("House: i = {house}"),
         );
     }
+    counted(canvas, view);
     for col in 0..HOUSE_SIZE.0 {
         let at = view.at((f64::from(col) - 2.0, 1.5));
         canvas.label((at.0, at.1 - 12.0), Anchor::Middle, 13.0, Color::BLACK, &format!("col {col}"));
@@ -156,6 +157,15 @@ fn three_grids<R: Real>(canvas: &mut Canvas, chosen: Grid) {
     }
     half_a_pixel(canvas, view);
     legend(canvas, chosen, R::NAME);
+}
+
+/// Which way the rows are counted: a file's downward, House's upward.
+fn counted(canvas: &mut Canvas, view: View) {
+    let ((x, top), (_, bottom)) = (view.at((-2.5, 1.1)), view.at((-2.5, -1.1)));
+    canvas.arrow((x - 116.0, top), (x - 116.0, bottom), Pen::solid(Color::BLACK, 1.6));
+    canvas.label((x - 116.0, top - 6.0), Anchor::Middle, 12.0, Color::BLACK, "row");
+    canvas.arrow((x - 104.0, bottom), (x - 104.0, top), Pen::solid(Color::GRAY, 1.6));
+    canvas.label((x - 104.0, bottom + 16.0), Anchor::Middle, 12.0, Color::GRAY, "i");
 }
 
 /// From the center of the middle pixel to its point on the lattice.
@@ -174,7 +184,7 @@ fn legend(canvas: &mut Canvas, chosen: Grid, precision: &str) {
         let y = 424.0 + 64.0 * place as f32;
         mark(canvas, grid, (652.0, y - 5.0), grid == chosen);
         canvas.label((672.0, y), Anchor::Left, 15.0, Color::BLACK, name);
-        canvas.label((672.0, y + 19.0), Anchor::Left, 12.0, Color::GRAY, formula);
+        canvas.label((672.0, y + 19.0), Anchor::Left, 11.5, Color::GRAY, formula);
     }
     let rows = [
         "Rows: a picture file counts from the top,",

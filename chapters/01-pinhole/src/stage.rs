@@ -22,7 +22,9 @@ impl Chapter for Pinhole {
             size: (960, 720),
             picture: "Above, the pinhole's upside-down picture on the film behind it and the upright one on a \
                       view plane in front, by similar triangles; below, the three grids of pixels for \
-                      House's 3 by 5 picture, drawn over each other.",
+                      House's 3 by 5 picture, drawn over each other. A pixel that is asked for is one of a picture \
+                      of that size seen through Gambetta's viewport, 1 high at distance 1; the worked example is \
+                      the top left pixel of House's picture.",
             inputs: &["width", "height", "col", "row", "left", "right", "bottom", "top", "distance"],
             results: &["x", "y", "z", "reason"],
         }

@@ -42,8 +42,8 @@ pub enum Crossing<R> {
 }
 
 impl<R: Real> Wall<R> {
-    /// Refuses a question without an answer: numbers that are not finite, a zero direction, a front
-    /// beyond the back.
+    /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
+    /// [`Degenerate::FrontBeyondBack`], whichever comes first.
     pub fn check(&self, ray: &Ray2<R>) -> Result<(), Degenerate> {
         let finite = [self.front, self.back].iter().all(|x| x.is_finite());
         if !finite || !ray.origin.is_finite() || !ray.direction.is_finite() {
@@ -105,9 +105,9 @@ impl Method {
 /// One method's intermediate values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Working<R: Real> {
-    /// House's.
+    /// By House's method.
     Notes(Notes<R>),
-    /// Ours.
+    /// By the robust one.
     Robust(Robust<R>),
 }
 
@@ -120,7 +120,7 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The nearest hit in `span`.
+    /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         match self {
             Working::Notes(work) => work.hit(span),

@@ -196,6 +196,9 @@ impl Drawing {
             (Color::PURPLE, 1.6, 0.0, "from inside, and from behind"),
             (Color::GRAY, 1.0, 4.0, "pointing away, or parallel: no hit"),
         ];
+        if !self.canvas.is_readable(12.5) {
+            return;
+        }
         let ((left, _), (_, bottom)) = self.canvas.corners();
         let (from, to) = ((left + 6.0, bottom - 102.0), (left + 266.0, bottom - 6.0));
         self.canvas.rectangle(from, to, Color::WHITE, 1.0);

@@ -45,8 +45,8 @@ pub enum Meeting<R> {
 }
 
 impl<R: Real> Plane<R> {
-    /// Refuses a question without an answer: numbers that are not finite, a zero direction, a zero
-    /// normal.
+    /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
+    /// [`Degenerate::ZeroNormal`], whichever comes first.
     pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
         if ![ray.origin, ray.direction, self.point, self.normal].iter().all(|v| v.is_finite()) {
             return Err(Degenerate::NotFinite);
@@ -60,17 +60,9 @@ impl<R: Real> Plane<R> {
         Ok(())
     }
 
-    /// n / ‖n‖, the unit normal that the page has. Divided by its largest component first, so that its
-    /// squares neither overflow nor vanish.
+    /// n / ‖n‖, the unit normal that the page has, for a normal of any length but zero.
     pub fn unit_normal(&self) -> R::Vec3 {
-        let n = self.normal;
-        let magnitude = |x: R| if x < R::from(0.0) { -x } else { x };
-        let largest = n.components().iter().fold(R::from(0.0), |most, &x| {
-            let x = magnitude(x);
-            if x > most { x } else { most }
-        });
-        let n = n / largest;
-        n / n.length()
+        self.normal.normalized()
     }
 }
 
@@ -79,7 +71,7 @@ impl<R: Real> Plane<R> {
 pub enum Method {
     /// House, Eq. 4.2.
     Notes,
-    /// The same with both dot products certain.
+    /// The same with the signs and digits of both dot products certain.
     Robust,
 }
 
@@ -107,9 +99,9 @@ impl Method {
 /// One method's intermediate values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Working<R: Real> {
-    /// House's.
+    /// By House's method.
     Notes(Notes<R>),
-    /// Ours.
+    /// By the robust one.
     Robust(Robust<R>),
 }
 
@@ -130,7 +122,8 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The hit, where its t lies in `span`.
+    /// The hit, where its t lies in `span`; `None` for a miss, [`Degenerate`] for a question without an
+    /// answer.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::Notes(work) => work.hit(span),

@@ -60,7 +60,7 @@ fn signs(canvas: &mut Canvas) {
     let (_, (right, _)) = canvas.corners();
     for (dy, text) in [
         (-58.0, "n · u_r > 0: the plane is behind, t < 0"),
-        (-10.0, "the horizon: n · u_r = 0, parallel, t = −1/0"),
+        (-10.0, "the horizon: n · u_r = 0, parallel"),
         (150.0, "n · u_r < 0: t = 1 / |n · u_r|"),
     ] {
         canvas.plate((right - 8.0, y + dy), Anchor::Right, 13.0, Color::BLACK, text);

@@ -55,10 +55,10 @@ fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
 fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
     let method = Method::ALL[ask.method];
     let camera = camera::<R>(ask.size)?;
-    // The worked example looks a quarter to the right and a quarter down.
+    // The worked example looks an eighth to the right and a quarter down.
     let ray = match ask.pixel {
         Some(pixel) => pixel_ray(&camera, ask.size, pixel),
-        None => camera.ray((R::from(0.25), R::from(-0.25))),
+        None => camera.ray((R::from(0.125), R::from(-0.25))),
     };
     let mut transcript = Transcript::new(&RayPlane.about(), ask);
     explain(&mut transcript, method, &ray);

@@ -32,12 +32,30 @@ pub(crate) fn explain<R: Real>(
     match method.work(ray, &sphere) {
         Working::ClosestApproach(work) => closest_approach_steps(section, &work),
         Working::Quadratic(work) => quadratic_steps(section, &work),
-        Working::HalfQuadratic(_) => {
-            // CSC418's ray starts on the view plane: ā = p̄_ij, one direction further on.
-            let from_plane = Ray3::<R>::new(ray.at(R::from(1.0)), ray.direction);
-            half_quadratic_steps(section, &crate::half_quadratic(&from_plane, &sphere));
-        }
+        Working::HalfQuadratic(work) => half_quadratic_steps(section, &work),
         Working::Robust(work) => robust_steps(section, &work),
+    }
+    if method == Method::HalfQuadratic {
+        from_the_view_plane(transcript, ray, painted);
+    }
+}
+
+/// CSC418's ray starts on the view plane, one direction further on: ā = p̄_ij. Other roundings, so next
+/// to a tangent another verdict is possible.
+fn from_the_view_plane<R: Real>(transcript: &mut Transcript, ray: &Ray3<R>, painted: &Painted<R>) {
+    let from_plane = Ray3::new(ray.at(R::from(1.0)), ray.direction);
+    let work = crate::half_quadratic(&from_plane, &painted.sphere);
+    let section = transcript
+        .section("The same from the view plane, where the page's ray starts", "CSC418 11.2, 11.3.3");
+    half_quadratic_steps(section, &work);
+    if let Some(case) = work.visibility() {
+        section.remark(format!("Of λ1 and λ2: {}.", case.meaning()));
+    }
+    let from_eye = crate::half_quadratic(ray, &painted.sphere);
+    if from_eye.lambda_1.is_some() != work.lambda_1.is_some() {
+        section.remark(
+            "From the eye the same formulas say otherwise: the ray is within a rounding of a tangent.",
+        );
     }
 }
 
@@ -96,7 +114,7 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
         _ => "< 0: no intersections",
     };
     section
-        .vector("ā", "p̄_ij, on the view plane", work.ray.origin)
+        .vector("ā", "where the ray starts", work.ray.origin)
         .vector("d⃗", "p̄_ij − ē", work.ray.direction)
         .number("A", "d⃗ · d⃗", work.a)
         .number("B", "(ā − c̄) · d⃗", work.b)
@@ -110,11 +128,7 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
     section
         .step("λ1", "−B/A + √D/A", Value::maybe(work.lambda_1))
         .step("λ2", "−B/A − √D/A", Value::maybe(work.lambda_2))
-        .note(match work.visibility() {
-            _ if work.d == zero => "the same: one intersection",
-            Some(case) => case.meaning(),
-            None => "",
-        });
+        .note(if work.d == zero { "the same: one intersection" } else { "" });
     let hit = work.hit(Span::ahead());
     let by_lambda_1 = hit.is_ok_and(|hit| hit.is_some_and(|hit| Some(hit.t) == work.lambda_1));
     let x_formula = if by_lambda_1 { "ā + λ1 d⃗" } else { "ā + λ2 d⃗" };
@@ -274,7 +288,7 @@ pub(crate) fn tangents<R: Real>(
     section
         .table(&columns, rows)
         .remark(format!(
-            "In {}. Where V = (col/width − 1/2, …) had to be rounded, the ray is beside the tangent: robust tells on which side.",
+            "In {}. Where V = (col/width − 1/2, …) had to be rounded, the ray is beside the tangent: robust shows on which side.",
             R::NAME
         ))
         .remark(format!("The pictures of the four methods differ at {pixels}."));

@@ -44,9 +44,9 @@ impl Visibility {
     /// What it means.
     pub fn meaning(self) -> &'static str {
         match self {
-            Visibility::Behind => "both behind the view plane: not visible",
+            Visibility::Behind => "both behind the view plane, not visible",
             Visibility::Inside => "p(λ1) is visible, p(λ2) is behind the view plane",
-            Visibility::InFront => "both in front: p(λ2) is the closest",
+            Visibility::InFront => "both in front, p(λ2) is the closest",
             Visibility::Touching => "one of them on the view plane",
         }
     }

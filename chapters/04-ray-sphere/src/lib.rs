@@ -20,6 +20,7 @@ pub mod robust;
 pub mod scene;
 #[cfg(feature = "stage")]
 pub mod stage;
+
 use math::{Degenerate, Hit, Ray3, Real, Roots, Span, Vector};
 
 pub use closest_approach::{ClosestApproach, closest_approach};
@@ -40,8 +41,8 @@ pub struct Sphere<R: Real> {
 pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
 
 impl<R: Real> Sphere<R> {
-    /// Refuses a question without an answer: numbers that are not finite, a zero direction, a radius
-    /// that is not positive.
+    /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
+    /// [`Degenerate::RadiusNotPositive`], whichever comes first.
     pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
         if ![ray.origin, ray.direction, self.center].iter().all(|v| v.is_finite()) || !self.radius.is_finite()
         {
@@ -119,13 +120,13 @@ impl Method {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "one at a time is worked out and read, none are stored")]
 pub enum Working<R: Real> {
-    /// House's.
+    /// By House's method.
     ClosestApproach(ClosestApproach<R>),
-    /// Gambetta's.
+    /// By Gambetta's.
     Quadratic(Quadratic<R>),
-    /// CSC418's.
+    /// By CSC418's.
     HalfQuadratic(HalfQuadratic<R>),
-    /// Ours.
+    /// By the robust one.
     Robust(Robust<R>),
 }
 
@@ -140,7 +141,7 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The nearest hit in `span`.
+    /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::ClosestApproach(work) => work.hit(span),

@@ -265,7 +265,7 @@ impl<R: Real> Robust<R> {
         Some(Roots { near: near.rounded(), far: far.rounded() })
     }
 
-    /// The nearest hit in `span`. t, n = (± h d − P) / r and x are worked out with twice the digits and
+    /// The nearest hit in `span`. t, n = (∓ h d − P) / r and x are worked out with twice the digits and
     /// rounded at the end; x is p_r + t d or c + r n, whichever adds the smaller number.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.check(&self.ray)?;

@@ -19,7 +19,8 @@ pub struct Window<R> {
 
 impl<R: Real> Window<R> {
     /// A window of height `height` about the axis, as wide as a picture of `size` pixels needs so
-    /// that pixels are square. Height 1 at distance 1 and a square picture: Gambetta's viewport.
+    /// that pixels are square. Height 1 at distance 1 and a square picture: Gambetta's viewport. Neither
+    /// number of `size` may be 0.
     pub fn around_axis(height: R, size: (u32, u32)) -> Self {
         let half = R::from(0.5);
         let top = height * half;
@@ -57,17 +58,19 @@ pub struct Camera<R: Real> {
     pub v: R::Vec3,
     /// Into the scene.
     pub w: R::Vec3,
-    /// The distance from the eye to the view plane.
+    /// The distance from the eye to the view plane, above zero, in units of the scene.
     pub f: R,
     /// The window on the view plane.
     pub window: Window<R>,
 }
 
 impl<R: Real> Camera<R> {
-    /// A camera at `e` looking along `forward`, with `up` pointing up in the picture.
+    /// A camera at `e` looking along `forward`, with `up` pointing up in the picture, `f` (above zero, in
+    /// units of the scene) from the view plane.
     ///
-    /// Neither needs unit length, nor need they be at right angles. [`Degenerate::ZeroDirection`]
-    /// where `forward` is zero or `up` runs along it, [`Degenerate::NotFinite`] where a number is not.
+    /// `forward` and `up` may have any length but zero, and any angle but 0° and 180°:
+    /// [`Degenerate::ZeroDirection`] where `forward` is zero or `up` runs along it,
+    /// [`Degenerate::NotFinite`] where a number of any argument is infinite or NaN.
     pub fn looking(
         e: R::Vec3,
         forward: R::Vec3,
@@ -76,18 +79,23 @@ impl<R: Real> Camera<R> {
         f: R,
         window: Window<R>,
     ) -> Result<Self, Degenerate> {
-        if ![e, forward, up].iter().all(|vector| vector.is_finite()) {
+        let Window { left, right, bottom, top } = window;
+        let finite = [f, left, right, bottom, top].iter().all(|number| number.is_finite());
+        if !finite || ![e, forward, up].iter().all(|vector| vector.is_finite()) {
             return Err(Degenerate::NotFinite);
         }
+        if forward.is_zero() || up.is_zero() {
+            return Err(Degenerate::ZeroDirection);
+        }
+        let (w, up) = (forward.normalized(), up.normalized());
         let across = match handedness {
-            Handedness::Right => R::cross(forward, up),
-            Handedness::Left => R::cross(up, forward),
+            Handedness::Right => R::cross(w, up),
+            Handedness::Left => R::cross(up, w),
         };
         if across.is_zero() {
             return Err(Degenerate::ZeroDirection);
         }
-        let w = forward / forward.length();
-        let u = across / across.length();
+        let u = across.normalized();
         let v = match handedness {
             Handedness::Right => R::cross(u, w),
             Handedness::Left => R::cross(w, u),
@@ -136,6 +144,17 @@ mod tests {
         let camera =
             Camera::<f64>::looking(DVec3::ZERO, -DVec3::Z, DVec3::Y, Handedness::Right, 1.0, UNIT).unwrap();
         assert_eq!((camera.u, camera.v, camera.w), (DVec3::X, DVec3::Y, -DVec3::Z));
+    }
+
+    #[test]
+    fn lengths_do_not_matter() {
+        let looking = |forward, up| {
+            Camera::<f64>::looking(DVec3::ZERO, forward, up, Handedness::Right, 1.0, UNIT).unwrap()
+        };
+        let usual = looking(DVec3::new(1.0, -2.0, -2.0), DVec3::Y);
+        for length in [1e300, 1e-300] {
+            assert_eq!(looking(DVec3::new(1.0, -2.0, -2.0) * length, DVec3::Y * length), usual);
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Numbers that are not rounded at all.
+//! Numbers that are never rounded.
 //!
 //! Every finite float is an integer times a power of two, and so is every sum and product of such
 //! numbers. Written with integers as long as it takes, the sign of a discriminant is simply true.

@@ -81,6 +81,19 @@ pub trait Vector<R>:
         std::array::from_fn(|axis| self.components()[axis].into())
     }
 
+    /// a / ‖a‖. Divided by its largest component first, so that no square overflows or vanishes; NaN
+    /// throughout for the zero vector and for one that is not finite.
+    fn normalized(self) -> Self
+    where
+        R: Real,
+    {
+        let magnitude = |x: R| if x < R::from(0.0) { -x } else { x };
+        let larger = |a: R, b: R| if b > a { b } else { a };
+        let largest = self.components().iter().fold(R::from(0.0), |most, &x| larger(most, magnitude(x)));
+        let scaled = self / largest;
+        scaled / scaled.length()
+    }
+
     /// No component is infinite or NaN.
     fn is_finite(self) -> bool
     where

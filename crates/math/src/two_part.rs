@@ -66,7 +66,7 @@ where
 }
 
 impl TwoPart {
-    /// The square root; zero of zero. The number must not be negative.
+    /// The square root; zero for zero, and for a negative number, which has none.
     pub fn sqrt(self) -> TwoPart {
         if self.hi <= 0.0 {
             return TwoPart::from(0.0);

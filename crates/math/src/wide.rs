@@ -69,7 +69,7 @@ impl Wide {
         self.significand.hi == 0.0
     }
 
-    /// The square root. The number must not be negative.
+    /// The square root; zero for zero, and for a negative number, which has none.
     pub fn sqrt(self) -> Wide {
         let odd = self.exponent.rem_euclid(2);
         let even = TwoPart::from(power_of_two(odd)) * self.significand;

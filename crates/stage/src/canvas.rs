@@ -225,7 +225,8 @@ impl Canvas {
     /// Letters smaller than this many pixels cannot be read and are left out.
     const SMALLEST_LETTERS: f64 = 5.0;
 
-    fn is_readable(&self, size: f32) -> bool {
+    /// Whether letters of this size can be read in this picture.
+    pub fn is_readable(&self, size: f32) -> bool {
         f64::from(size) * self.fit.scale >= Self::SMALLEST_LETTERS
     }
 

@@ -135,7 +135,7 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
         if !missing.is_empty() {
             let (line, missing) = (reader.line, missing.join(", "));
             return Err(Error::Request(format!(
-                "{file}:{line}:1: the header row has no column {missing}; this stage reads the columns {expected}"
+                "{file}:{line}:1: the header row lacks {missing}; this stage reads the columns {expected}"
             )));
         }
         let twice = reader.fields.iter().enumerate().find(|(at, field)| {
@@ -162,7 +162,7 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
         if found != width {
             let at = self.fields.get(width).or(self.fields.last()).map_or(1, |field| field.column);
             return Err(Error::Request(format!(
-                "{file}:{line}:{at}: the fields of this row are {found}, those of the header row {width}; every row needs as many"
+                "{file}:{line}:{at}: this row's field count is {found}, the header row's {width}; they must be the same"
             )));
         }
         let fields = self.places.iter().map(|&place| &self.fields[place]).collect();
@@ -301,7 +301,7 @@ mod tests {
     fn garbage_is_refused_in_print() {
         let text = message(b"ox,dx\n\xff\x00\x1b[31m,1\n");
         assert!(text.chars().all(|letter| !letter.is_control()), "{text:?}");
-        assert!(message(&[0xff; 100]).contains("no column"));
+        assert!(message(&[0xff; 100]).contains("the header row lacks"));
         assert!(message(&[b'a'; 1 << 21]).contains("more than"));
     }
 }

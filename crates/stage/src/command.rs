@@ -164,9 +164,14 @@ fn command(about: &About) -> Command {
                     .value_parser(Precision::ALL.map(Precision::name))
                     .default_value("f64")
                     .help("The floating-point numbers to compute in"),
-                Arg::new("pixel").long("pixel").value_name("COL,ROW").value_parser(parse_pixel).help(
-                    "The pixel whose ray is explained, 0,0 the top left; without it, the worked example",
-                ),
+                Arg::new("pixel")
+                    .long("pixel")
+                    .value_name("COL,ROW")
+                    .allow_hyphen_values(true)
+                    .value_parser(parse_pixel)
+                    .help(
+                        "The pixel whose ray is explained, 0,0 the top left; without it, the worked example",
+                    ),
                 Arg::new("size")
                     .long("size")
                     .value_name("WIDTHxHEIGHT")

@@ -21,8 +21,13 @@ pub(crate) fn eval(
             if path.is_dir() {
                 return Err(Error::Request(format!("cannot read {name}: it is a folder; name a CSV file")));
             }
-            let file =
-                File::open(path).map_err(|error| Error::Request(format!("cannot read {name}: {error}")))?;
+            let file = File::open(path).map_err(|error| {
+                let cause = match error.kind() {
+                    io::ErrorKind::NotFound => "there is no such file".to_string(),
+                    _ => error.to_string(),
+                };
+                Error::Request(format!("cannot read {name}: {cause}; name a CSV file"))
+            })?;
             answer(stage, ask, BufReader::new(file), &name, output)
         }
     }

@@ -28,14 +28,21 @@ pub fn write_picture(picture: &Canvas, path: &Path) -> Result<(), Error> {
 }
 
 /// Writes a file under another name in the same folder and renames it when it is complete, so that
-/// whoever looks sees the old file or the new one, whole. A symbolic link stays one: the file that it
-/// leads to is replaced.
+/// whoever looks sees the old file or the new one, whole. Where `path` is a symbolic link to a file, that
+/// file is replaced. What is there and is no file (a folder, a device, a pipe) is left alone:
+/// [`Error::Failed`].
 pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
     let failed = |error: io::Error| {
         Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error)))
     };
     if path.is_dir() {
         return Err(failed(io::ErrorKind::IsADirectory.into()));
+    }
+    if path.exists() && !path.is_file() {
+        return Err(Error::Failed(format!(
+            "cannot write {}: something that is not a file stands there; write elsewhere",
+            path.display()
+        )));
     }
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let unfinished = unfinished_name(&target);
@@ -74,7 +81,7 @@ fn reason(path: &Path, error: &io::Error) -> String {
             format!("the folder {folder} may not be written to; write elsewhere")
         }
         io::ErrorKind::StorageFull => "the disk is full; free some space, or write elsewhere".to_string(),
-        _ => error.to_string(),
+        _ => format!("{error}; write elsewhere"),
     }
 }
 

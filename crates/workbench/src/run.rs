@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use stage::{About, Error, Stage, Transcript, default_ask, write_picture, write_whole};
 
 use crate::gallery;
-use crate::stages::widest;
+use crate::stages::{self, widest};
 
 /// How many columns the line under a heading takes: as many as a section of a transcript.
 const WIDTH: usize = 100;
@@ -96,7 +96,13 @@ fn print(finished: &[Finished], gallery: &Path, output: &mut dyn Write) -> io::R
     for Finished { about, picture, .. } in finished {
         writeln!(output, "{:02} {:width$}  {}", about.number, about.name, picture.display())?;
     }
-    writeln!(output, "   {:width$}  {}", "gallery", gallery.display())
+    let all = stages::ALL.len();
+    let part = if finished.len() < all {
+        format!(", these {} of {all} stages", finished.len())
+    } else {
+        String::new()
+    };
+    writeln!(output, "   {:width$}  {}{part}", "gallery", gallery.display())
 }
 
 #[cfg(test)]
