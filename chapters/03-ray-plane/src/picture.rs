@@ -28,11 +28,12 @@ pub(crate) fn draw<R: Real>(method: Method, size: (u32, u32), explained: &Ray3<R
 /// The tile that a ray hits; the sky where the plane is behind; the horizon where it is parallel.
 fn color<R: Real>(method: Method, ray: &Ray3<R>) -> Color {
     let work = method.work(ray, &ground());
-    match (work.hit(Span::ahead()), work.meeting()) {
-        (Ok(Some(hit)), _) if is_dark::<R>(hit.point) => DARK_TILE,
-        (Ok(Some(_)), _) => LIGHT_TILE,
-        (_, Meeting::Never(_)) => Color::VERMILLION,
-        _ => SKY_BLUE,
+    if let Ok(Some(hit)) = work.hit(Span::ahead()) {
+        return if is_dark::<R>(hit.point) { DARK_TILE } else { LIGHT_TILE };
+    }
+    match work.meeting() {
+        Meeting::Never(_) => Color::VERMILLION,
+        Meeting::At(_) => SKY_BLUE,
     }
 }
 
