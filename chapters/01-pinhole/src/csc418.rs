@@ -49,7 +49,7 @@ pub fn csc418_pixel<R: Real>(
 
 /// The distance of a point from the image plane (p̄ − r̄) · w⃗ = 0, where r̄ = ē + f w⃗.
 pub fn off_image_plane<R: Real>(camera: &Camera<R>, point: R::Vec3) -> R {
-    let r = camera.e + camera.w * camera.f;
+    let r = camera.view_plane((R::from(0.0), R::from(0.0)));
     (point - r).dot(camera.w)
 }
 

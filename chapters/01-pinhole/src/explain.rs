@@ -246,6 +246,7 @@ pub(crate) fn general_camera<R: Real>(transcript: &mut Transcript) -> Result<(),
         .vector::<R>("v⃗", "up: u⃗ × w⃗", camera.v)
         .vector::<R>("w⃗", "into the scene", camera.w)
         .number("f", "the view plane's distance", camera.f)
+        .vector::<R>("r̄", "ē + f w⃗", camera.view_plane((R::from(0.0), R::from(0.0))))
         .step(
             "window",
             "w_l, w_r, w_b, w_t",

@@ -11,7 +11,7 @@ pub struct HousePixel<R: Real> {
     pub i: u32,
     /// The column.
     pub j: u32,
-    /// w and h, the width and height of the viewscreen.
+    /// w and h, the width and height of the viewscreen, in units of the scene.
     pub screen: (R, R),
     /// c = (c_x, c_y, −z_p), the center of the screen.
     pub c: R::Vec3,

@@ -31,20 +31,31 @@ impl Chapter for Pinhole {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
-        show::<R>(ask)
+        let grid = Grid::ALL[ask.method];
+        // The worked example is the top left pixel of House's picture, with z_p = 2: its center is 3 away.
+        let (size, pixel, camera) = match ask.pixel {
+            Some(pixel) => {
+                (ask.size, pixel, camera(R::from(1.0), Window::around_axis(R::from(1.0), ask.size))?)
+            }
+            None => (HOUSE_SIZE, (0, 0), camera(R::from(2.0), house_window())?),
+        };
+        let mut transcript = Transcript::new(&self.about(), ask);
+        explain::explain(&mut transcript, grid, &camera, size, pixel)?;
+        explain::three_grids::<R>(&mut transcript);
+        explain::similar_triangles::<R>(&mut transcript);
+        explain::two_loops::<R>(&mut transcript);
+        explain::general_camera::<R>(&mut transcript)?;
+        explain::viewport::<R>(&mut transcript)?;
+        Ok(Shown { transcript, picture: picture::draw::<R>(grid, ask.size)? })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        row::<R>(ask, case)
+        let numbers = case.numbers::<R, 9>()?;
+        Ok(match point(Grid::ALL[ask.method], numbers) {
+            Ok([x, y, z]) => Row::empty().number("x", x).number("y", y).number("z", z),
+            Err(reason) => Row::empty().word("reason", reason),
+        })
     }
-}
-
-fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-    let numbers = case.numbers::<R, 9>()?;
-    Ok(match point(Grid::ALL[ask.method], numbers) {
-        Ok([x, y, z]) => Row::empty().number("x", x).number("y", y).number("z", z),
-        Err(reason) => Row::empty().word("reason", reason),
-    })
 }
 
 /// The point of a pixel on the view plane, in camera coordinates, or why there is none.
@@ -87,23 +98,6 @@ pub(crate) fn camera<R: Real>(f: R, window: Window<R>) -> Result<Camera<R>, Erro
     let (zero, one) = (R::from(0.0), R::from(1.0));
     let [eye, forward, up] = [R::vec3(zero, zero, zero), R::vec3(zero, zero, one), R::vec3(zero, one, zero)];
     Ok(Camera::looking(eye, forward, up, Handedness::Left, f, window)?)
-}
-
-fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
-    let grid = Grid::ALL[ask.method];
-    // The worked example is the top left pixel of House's picture, with z_p = 2: its center is 3 away.
-    let (size, pixel, camera) = match ask.pixel {
-        Some(pixel) => (ask.size, pixel, camera(R::from(1.0), Window::around_axis(R::from(1.0), ask.size))?),
-        None => (HOUSE_SIZE, (0, 0), camera(R::from(2.0), house_window())?),
-    };
-    let mut transcript = Transcript::new(&Pinhole.about(), ask);
-    explain::explain(&mut transcript, grid, &camera, size, pixel)?;
-    explain::three_grids::<R>(&mut transcript);
-    explain::similar_triangles::<R>(&mut transcript);
-    explain::two_loops::<R>(&mut transcript);
-    explain::general_camera::<R>(&mut transcript)?;
-    explain::viewport::<R>(&mut transcript)?;
-    Ok(Shown { transcript, picture: picture::draw::<R>(grid, ask.size)? })
 }
 
 #[cfg(test)]

@@ -33,44 +33,36 @@ impl Chapter for RayWall {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
-        show::<R>(ask)
+        let method = Method::ALL[ask.method];
+        let canvas = picture::canvas(ask.size)?;
+        let point = |(x, y)| R::vec2(R::round_from(x), R::round_from(y));
+        let origin = point(ORIGIN);
+        let direction = match ask.pixel {
+            Some(pixel) => point(picture::view().plane(canvas.place_of(pixel))) - origin,
+            None => point((1.0, 0.0)),
+        };
+        let ray = Ray2::<R>::new(origin, direction);
+
+        let mut transcript = Transcript::new(&self.about(), ask);
+        explain(&mut transcript, method, &ray);
+        every_case::<R>(&mut transcript, method);
+        Ok(Shown { transcript, picture: picture::draw(canvas, method, &ray) })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        row::<R>(ask, case)
+        let [ox, oy, dx, dy, front, back] = case.numbers::<R, 6>()?;
+        let ray = Ray2::<R>::new(R::vec2(ox, oy), R::vec2(dx, dy));
+        let work = Method::ALL[ask.method].work(&ray, &Wall { front, back });
+        Ok(match (work.hit(Span::ahead()), work.crossing()) {
+            (Ok(Some(hit)), Crossing::Through(roots)) => Row::hit()
+                .number("t", hit.t)
+                .number("t_out", roots.far + R::from(0.0)) // minus zero is zero
+                .vector(["x", "y"], hit.point),
+            (Ok(_), Crossing::Along(how)) => Row::miss(how.reason()),
+            (Ok(_), _) => Row::miss(""),
+            (Err(degenerate), _) => Row::invalid(degenerate.reason()),
+        })
     }
-}
-
-fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-    let [ox, oy, dx, dy, front, back] = case.numbers::<R, 6>()?;
-    let ray = Ray2::<R>::new(R::vec2(ox, oy), R::vec2(dx, dy));
-    let work = Method::ALL[ask.method].work(&ray, &Wall { front, back });
-    Ok(match (work.hit(Span::ahead()), work.crossing()) {
-        (Ok(Some(hit)), Crossing::Through(roots)) => Row::hit()
-            .number("t", hit.t)
-            .number("t_out", roots.far + R::from(0.0)) // minus zero is zero
-            .vector(["x", "y"], hit.point),
-        (Ok(_), Crossing::Along(how)) => Row::miss(how.reason()),
-        (Ok(_), _) => Row::miss(""),
-        (Err(degenerate), _) => Row::invalid(degenerate.reason()),
-    })
-}
-
-fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
-    let method = Method::ALL[ask.method];
-    let canvas = picture::canvas(ask.size)?;
-    let point = |(x, y)| R::vec2(R::round_from(x), R::round_from(y));
-    let origin = point(ORIGIN);
-    let direction = match ask.pixel {
-        Some(pixel) => point(picture::view().plane(canvas.place_of(pixel))) - origin,
-        None => point((1.0, 0.0)),
-    };
-    let ray = Ray2::<R>::new(origin, direction);
-
-    let mut transcript = Transcript::new(&RayWall.about(), ask);
-    explain(&mut transcript, method, &ray);
-    every_case::<R>(&mut transcript, method);
-    Ok(Shown { transcript, picture: picture::draw(canvas, method, &ray) })
 }
 
 /// The method's own steps, from its own struct.

@@ -26,46 +26,38 @@ impl Chapter for RayPlane {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
-        show::<R>(ask)
+        let method = Method::ALL[ask.method];
+        let camera = camera::<R>(ask.size)?;
+        // The worked example looks an eighth to the right and a quarter down.
+        let ray = match ask.pixel {
+            Some(pixel) => pixel_ray(&camera, ask.size, pixel),
+            None => camera.ray((R::from(0.125), R::from(-0.25))),
+        };
+        let mut transcript = Transcript::new(&self.about(), ask);
+        explain(&mut transcript, method, &ray);
+        three_signs::<R>(&mut transcript);
+        three_questions::<R>(&mut transcript, method);
+        to_the_horizon::<R>(&mut transcript, method);
+        Ok(Shown { transcript, picture: picture::draw(method, ask.size, &ray)? })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        row::<R>(ask, case)
+        let [ox, oy, oz, dx, dy, dz, px, py, pz, nx, ny, nz] = case.numbers::<R, 12>()?;
+        let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
+        let plane = Plane { point: R::vec3(px, py, pz), normal: R::vec3(nx, ny, nz) };
+        let work = Method::ALL[ask.method].work(&ray, &plane);
+        let row = match work.hit(Span::ahead()) {
+            Ok(Some(hit)) => Row::hit().number("t", hit.t).vector(["x", "y", "z"], hit.point),
+            Ok(None) => match work.meeting() {
+                Meeting::Never(how) => Row::miss(how.reason()),
+                Meeting::At(_) => Row::miss(""),
+            },
+            Err(degenerate) => return Ok(Row::invalid(degenerate.reason())),
+        };
+        // Where x − p_0 overflows, the notes have no distance to give.
+        let distance: f64 = work.distance().into();
+        Ok(if distance.is_nan() { row } else { row.number("distance", work.distance()) })
     }
-}
-
-fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-    let [ox, oy, oz, dx, dy, dz, px, py, pz, nx, ny, nz] = case.numbers::<R, 12>()?;
-    let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
-    let plane = Plane { point: R::vec3(px, py, pz), normal: R::vec3(nx, ny, nz) };
-    let work = Method::ALL[ask.method].work(&ray, &plane);
-    let row = match work.hit(Span::ahead()) {
-        Ok(Some(hit)) => Row::hit().number("t", hit.t).vector(["x", "y", "z"], hit.point),
-        Ok(None) => match work.meeting() {
-            Meeting::Never(how) => Row::miss(how.reason()),
-            Meeting::At(_) => Row::miss(""),
-        },
-        Err(degenerate) => return Ok(Row::invalid(degenerate.reason())),
-    };
-    // Where x − p_0 overflows, the notes have no distance to give.
-    let distance: f64 = work.distance().into();
-    Ok(if distance.is_nan() { row } else { row.number("distance", work.distance()) })
-}
-
-fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
-    let method = Method::ALL[ask.method];
-    let camera = camera::<R>(ask.size)?;
-    // The worked example looks an eighth to the right and a quarter down.
-    let ray = match ask.pixel {
-        Some(pixel) => pixel_ray(&camera, ask.size, pixel),
-        None => camera.ray((R::from(0.125), R::from(-0.25))),
-    };
-    let mut transcript = Transcript::new(&RayPlane.about(), ask);
-    explain(&mut transcript, method, &ray);
-    three_signs::<R>(&mut transcript);
-    three_questions::<R>(&mut transcript, method);
-    to_the_horizon::<R>(&mut transcript, method);
-    Ok(Shown { transcript, picture: picture::draw(method, ask.size, &ray)? })
 }
 
 /// The method's own steps, from its own struct.

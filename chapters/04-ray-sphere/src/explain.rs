@@ -24,11 +24,8 @@ pub(crate) fn explain<R: Real>(
         Method::Robust => ("robust.rs", "c"),
     };
     let section = transcript.section(title, source);
-    section.vector(center, "center", sphere.center).note(format!("the {} sphere", painted.name)).number(
-        "r",
-        "radius",
-        sphere.radius,
-    );
+    section.vector(center, "center", sphere.center).note(format!("the {} sphere", painted.name));
+    section.number("r", "radius", sphere.radius);
     match method.work(ray, &sphere) {
         Working::ClosestApproach(work) => closest_approach_steps(section, &work),
         Working::Quadratic(work) => quadratic_steps(section, &work),
@@ -98,11 +95,8 @@ fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
     if work.t1.is_none() {
         return;
     }
-    section.step("t1", "(−b + √(b² − 4ac)) / 2a", Value::maybe(work.t1)).step(
-        "t2",
-        "(−b − √(b² − 4ac)) / 2a",
-        Value::maybe(work.t2),
-    );
+    section.step("t1", "(−b + √(b² − 4ac)) / 2a", Value::maybe(work.t1));
+    section.step("t2", "(−b − √(b² − 4ac)) / 2a", Value::maybe(work.t2));
     hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["O + t D", "(x_hit − C) / r"]);
 }
 
@@ -163,7 +157,12 @@ fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
         .number("t_near", near, roots.near)
         .number("t_far", far, roots.far)
         .note("no difference is taken");
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["c + r n", "(t d − L) / r = (∓ h d − P) / r"]);
+    hit_steps(
+        section,
+        &work.sphere,
+        work.hit(Span::ahead()),
+        ["p_r + t d, or c + r n if r < ‖t d‖", "(t d − L) / r = (∓ h d − P) / r"],
+    );
 }
 
 /// The hit, its normal, and the residual of substituting it back.

@@ -14,10 +14,10 @@
 //! So: walk to the point of closest approach as House does, but from the center. Most rays miss by so
 //! much that this is enough. For the others take L in two parts (its rounding error is a number too)
 //! and twice the digits everywhere; add half the chord on the side where it adds; take the other root
-//! from Vieta. Then ask whether the error that is left could
-//! matter, to the verdict, to t or to the normal. The bounds are beside their constants below. Where
-//! it could, sum A, B, C and D exactly, in integers as long as it takes ([`math::exact`]). The verdict
-//! is then true, not likely, and t and n are good to a rounding.
+//! from Vieta. Then ask whether the error that is left could matter, to the verdict, to t or to the
+//! normal; the bounds are beside their constants below. Where it could, sum A, B, C and D exactly, in
+//! integers as long as it takes ([`math::exact`]). The verdict is then true, not likely, and t and n
+//! are good to a rounding.
 //!
 //! Squares of 1e±200 overflow or vanish; there the exact sums are taken straight away. `f32` is
 //! computed in `f64`, where products of `f32` are exact, and rounded at the end.

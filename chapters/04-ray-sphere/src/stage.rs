@@ -26,53 +26,45 @@ impl Chapter for RaySphere {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
-        show::<R>(ask)
+        let method = Method::ALL[ask.method];
+        let camera = camera::<R>(ask.size)?;
+        let spheres = three_spheres::<R>();
+
+        // The worked example looks at the center of the red sphere: V = (0, −1/3, 1), a third of the
+        // viewport below the middle.
+        let third = R::from(-1.0) / R::from(3.0);
+        let ray = match ask.pixel {
+            Some(pixel) => pixel_ray(&camera, ask.size, pixel),
+            None => camera.ray((R::from(0.0), third)),
+        };
+        let index = subject(method, &ray, &spheres);
+        let tangents = tangents(ask.size);
+        let mut transcript = Transcript::new(&self.about(), ask);
+        explain::explain(&mut transcript, method, &ray, &spheres[index]);
+        explain::trace_ray(&mut transcript, method, &ray, &spheres);
+        explain::both_roots(&mut transcript, &ray, &spheres[index]);
+        explain::ranges(&mut transcript, &ray);
+        explain::tangents(&mut transcript, &camera, ask.size, &tangents);
+
+        let picture = picture::draw(method, ask.size, &camera, &ray, &tangents)?;
+        Ok(Shown { transcript, picture })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        row::<R>(ask, case)
+        let [ox, oy, oz, dx, dy, dz, cx, cy, cz, radius] = case.numbers::<R, 10>()?;
+        let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
+        let sphere = Sphere { center: R::vec3(cx, cy, cz), radius };
+        let work = Method::ALL[ask.method].work(&ray, &sphere);
+        Ok(match (work.hit(Span::ahead()), work.roots()) {
+            (Ok(Some(hit)), Some(roots)) => Row::hit()
+                .number("t", hit.t)
+                .number("t_out", roots.far + R::from(0.0)) // minus zero is zero
+                .vector(["x", "y", "z"], hit.point)
+                .vector(["nx", "ny", "nz"], hit.normal),
+            (Ok(_), _) => Row::miss(""),
+            (Err(degenerate), _) => Row::invalid(degenerate.reason()),
+        })
     }
-}
-
-fn row<R: Real>(ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-    let [ox, oy, oz, dx, dy, dz, cx, cy, cz, radius] = case.numbers::<R, 10>()?;
-    let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
-    let sphere = Sphere { center: R::vec3(cx, cy, cz), radius };
-    let work = Method::ALL[ask.method].work(&ray, &sphere);
-    Ok(match (work.hit(Span::ahead()), work.roots()) {
-        (Ok(Some(hit)), Some(roots)) => Row::hit()
-            .number("t", hit.t)
-            .number("t_out", roots.far + R::from(0.0)) // minus zero is zero
-            .vector(["x", "y", "z"], hit.point)
-            .vector(["nx", "ny", "nz"], hit.normal),
-        (Ok(_), _) => Row::miss(""),
-        (Err(degenerate), _) => Row::invalid(degenerate.reason()),
-    })
-}
-
-fn show<R: Real>(ask: &Ask) -> Result<Shown, Error> {
-    let method = Method::ALL[ask.method];
-    let camera = camera::<R>(ask.size)?;
-    let spheres = three_spheres::<R>();
-
-    // The worked example looks at the center of the red sphere: V = (0, −1/3, 1), a third of the
-    // viewport below the middle.
-    let third = R::from(-1.0) / R::from(3.0);
-    let ray = match ask.pixel {
-        Some(pixel) => pixel_ray(&camera, ask.size, pixel),
-        None => camera.ray((R::from(0.0), third)),
-    };
-    let index = subject(method, &ray, &spheres);
-    let tangents = tangents(ask.size);
-    let mut transcript = Transcript::new(&RaySphere.about(), ask);
-    explain::explain(&mut transcript, method, &ray, &spheres[index]);
-    explain::trace_ray(&mut transcript, method, &ray, &spheres);
-    explain::both_roots(&mut transcript, &ray, &spheres[index]);
-    explain::ranges(&mut transcript, &ray);
-    explain::tangents(&mut transcript, &camera, ask.size, &tangents);
-
-    let picture = picture::draw(method, ask.size, &camera, &ray, &tangents)?;
-    Ok(Shown { transcript, picture })
 }
 
 /// The sphere a ray is explained against: the one it meets first, else the one it passes closest to.
