@@ -4,3 +4,13 @@
 pub fn atan(x: f64) -> f64 {
     libm::atan(x)
 }
+
+/// e to the power `x`.
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// The natural logarithm of `x`; NaN below zero.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
