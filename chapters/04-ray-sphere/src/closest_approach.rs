@@ -31,6 +31,7 @@ pub struct ClosestApproach<R: Real> {
 /// Works out House's method.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`ClosestApproach::hit`] refuses them.
+#[inline]
 pub fn closest_approach<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestApproach<R> {
     let (p_r, c, r) = (ray.origin, sphere.center, sphere.radius);
     let length = ray.direction.length();
@@ -49,17 +50,20 @@ pub fn closest_approach<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestAp
 
 impl<R: Real> ClosestApproach<R> {
     /// t_close ± a, as distances along the ray; `None` for a miss.
+    #[inline]
     pub fn distances(&self) -> Option<Roots<R>> {
         self.a.map(|a| Roots { near: self.t_close - a, far: self.t_close + a })
     }
 
     /// The same in lengths of the direction as given.
+    #[inline]
     pub fn roots(&self) -> Option<Roots<R>> {
         self.distances().map(|Roots { near, far }| Roots { near: near / self.length, far: far / self.length })
     }
 
     /// The nearest hit in `span`: x_hit = p_r + (t_close ∓ a) u_r. (The page takes t_close − a even where
     /// that is behind the origin.)
+    #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.check(&self.ray)?;
         let (Some(distances), Some(roots)) = (self.distances(), self.roots()) else { return Ok(None) };

@@ -131,37 +131,42 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
     let vector = |v: [f64; 3]| Value::Array(v.map(Value::F64).to_vec());
+    let chord = &work.chord;
     let decision = match () {
-        _ if work.half_chord_squared > 0.0 => "a² > 0: enters and leaves",
-        _ if work.half_chord_squared == 0.0 => "a² = 0: touches",
+        _ if chord.half_chord_squared > 0.0 => "a² > 0: enters and leaves",
+        _ if chord.half_chord_squared == 0.0 => "a² = 0: touches",
         _ => "a² < 0: no hit",
     };
     section
         .step("L", "c − p_r", vector(work.l))
         .step("L_error", "what the rounding of L dropped", vector(work.l_error))
-        .step("A", "d · d", Value::F64(work.a))
-        .step("B", "L · d", Value::F64(work.b))
-        .step("C", "L · L − r²", Value::F64(work.c))
-        .step("t_close", "B / A", Value::F64(work.t_close))
-        .step("P", "L − t_close d", vector(work.p))
+        .step("A", "d · d", Value::F64(chord.a))
+        .step("B", "L · d", Value::F64(chord.b))
+        .step("t_close", "B / A", Value::F64(chord.t_close))
+        .step("P", "L − t_close d", vector(chord.p))
         .note("from the closest point to the center")
-        .step("a²", "r² − P · P, to twice the digits", Value::F64(work.half_chord_squared))
-        .note(format!("{decision}; {}", work.certainty.meaning()));
-    let (Some(h), Some(roots)) = (work.h, work.roots()) else { return };
-    let (near, far) = match work.t_close < 0.0 {
-        true => ("t_close − h", "C / (A t_near)"),
-        false => ("C / (A t_far)", "t_close + h"),
+        .step("δ", "P · d / A", Value::F64(chord.correction))
+        .note("what the rounding of t_close left")
+        .step("a²", "r² − P · P + δ P · d", Value::F64(chord.half_chord_squared))
+        .note(format!("{decision}; {}", chord.certainty.meaning()));
+    let (Some(h), Some(roots)) = (chord.h, work.roots()) else { return };
+    section.step("h", "√(a² / A)", Value::F64(h));
+    let (near, far) = match chord.c {
+        None => ("t_close + (δ − h)", "t_close + (δ + h)"),
+        Some(c) => {
+            section.step("C", "L · L − r²", Value::F64(c)).note("C = A t_near t_far: no difference is taken");
+            match chord.t_close < 0.0 {
+                true => ("t_close − h", "C / (A t_near)"),
+                false => ("C / (A t_far)", "t_close + h"),
+            }
+        }
     };
-    section
-        .step("h", "√(a² / A)", Value::F64(h))
-        .number("t_near", near, roots.near)
-        .number("t_far", far, roots.far)
-        .note("no difference is taken");
+    section.number("t_near", near, roots.near).number("t_far", far, roots.far);
     hit_steps(
         section,
         &work.sphere,
         work.hit(Span::ahead()),
-        ["p_r + t d, or c + r n if r < ‖t d‖", "(t d − L) / r = (∓ h d − P) / r"],
+        ["p_r + t d, or c + r n if r < ‖t d‖", "(t d − L) / r = ((δ ∓ h) d − P) / r"],
     );
 }
 

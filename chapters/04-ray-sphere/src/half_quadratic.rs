@@ -55,6 +55,7 @@ impl Visibility {
 /// Works out CSC418's method, for a direction of any length but zero.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`HalfQuadratic::hit`] refuses them.
+#[inline]
 pub fn half_quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> HalfQuadratic<R> {
     let r = sphere.radius;
     let from_center = ray.origin - sphere.center;
@@ -74,6 +75,7 @@ pub fn half_quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> HalfQuadrat
 
 impl<R: Real> HalfQuadratic<R> {
     /// λ2 and λ1, the smaller first; `None` for a miss.
+    #[inline]
     pub fn roots(&self) -> Option<Roots<R>> {
         Some(Roots { near: self.lambda_2?, far: self.lambda_1? })
     }
@@ -91,6 +93,7 @@ impl<R: Real> HalfQuadratic<R> {
     }
 
     /// The nearest hit in `span`.
+    #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.first_hit(&self.ray, self.roots(), span)
     }

@@ -43,6 +43,7 @@ pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
 impl<R: Real> Sphere<R> {
     /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
     /// [`Degenerate::RadiusNotPositive`], whichever comes first.
+    #[inline]
     pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
         if ![ray.origin, ray.direction, self.center].iter().all(|v| v.is_finite()) || !self.radius.is_finite()
         {
@@ -60,6 +61,7 @@ impl<R: Real> Sphere<R> {
     /// The hit at the smaller of two roots that lies in `span`: x = p_r + t u_r, n = (x − c) / r.
     ///
     /// `None` where the line misses (no roots) or both roots lie outside the span.
+    #[inline]
     pub fn first_hit(
         &self,
         ray: &Ray3<R>,
@@ -72,6 +74,7 @@ impl<R: Real> Sphere<R> {
     }
 
     /// The hit at a point of the sphere, with its outward normal n = (x − c) / r.
+    #[inline]
     pub fn hit_at(&self, t: R, point: R::Vec3) -> Hit3<R> {
         Hit { t, point, normal: (point - self.center) / self.radius }
     }
@@ -118,7 +121,6 @@ impl Method {
 
 /// One method's intermediate values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "one at a time is worked out and read, none are stored")]
 pub enum Working<R: Real> {
     /// By House's method.
     ClosestApproach(ClosestApproach<R>),

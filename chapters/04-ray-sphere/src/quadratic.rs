@@ -31,6 +31,7 @@ pub struct Quadratic<R: Real> {
 /// Works out Gambetta's method, for a direction of any length but zero.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`Quadratic::hit`] refuses them.
+#[inline]
 pub fn quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Quadratic<R> {
     let (two, four) = (R::from(2.0), R::from(4.0));
     let r = sphere.radius;
@@ -51,11 +52,13 @@ pub fn quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Quadratic<R> {
 
 impl<R: Real> Quadratic<R> {
     /// t2 and t1, the smaller first; `None` for a miss.
+    #[inline]
     pub fn roots(&self) -> Option<Roots<R>> {
         Some(Roots { near: self.t2?, far: self.t1? })
     }
 
     /// The nearest hit in `span` (Listing 2-4's t_min and t_max).
+    #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.first_hit(&self.ray, self.roots(), span)
     }

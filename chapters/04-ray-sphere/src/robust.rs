@@ -11,28 +11,86 @@
 //!    the large one without a subtraction.
 //! 3. **C = L·L − r² cancels** when the origin is near the surface, and even L = c − p_r is rounded.
 //!
-//! So: walk to the point of closest approach as House does, but from the center. Most rays miss by so
-//! much that this is enough. For the others take L in two parts (its rounding error is a number too)
-//! and twice the digits everywhere; add half the chord on the side where it adds; take the other root
-//! from Vieta. Then ask whether the error that is left could matter, to the verdict, to t or to the
-//! normal; the bounds are beside their constants below. Where it could, sum A, B, C and D exactly, in
-//! integers as long as it takes ([`math::exact`]). The verdict is then true, not likely, and t and n
-//! are good to a rounding.
+//! So: walk to the point of closest approach as House does, but from the center. Four ways of doing it follow,
+//! each slower and surer than the one before; a ray takes the first whose error bound says that what is
+//! left over can matter neither to the verdict nor to t nor to the normal.
+//!
+//! 1. **At once**, in plain `f64`. Most rays miss most spheres, and by far. A ray in `f32` ends here
+//!    nearly always: products of `f32` are exact in `f64`.
+//! 2. **Corrected.** t_close is rounded, but once it is, P = L − t_close d is an exact question about
+//!    the numbers that are there, and two parts answer it, with the rounding error of L too. P
+//!    then is not quite at right angles to d: P·d / A is what the rounding of t_close left, and
+//!    a² = r² − P·P + (P·d)²/A, summed with twice the digits, is half the chord squared. An error δ in
+//!    a² moves a by at most √δ, so t is good to the last digits even next to a tangent.
+//! 3. **In two parts** throughout, where the origin is so near the surface that t_close ∓ h cancels: the
+//!    smaller root comes from Vieta ([`careful`]).
+//! 4. **Exactly**, in integers as long as it takes, where even that leaves a doubt. The verdict is then
+//!    true, not likely.
 //!
 //! Squares of 1e±200 overflow or vanish; there the exact sums are taken straight away. `f32` is
-//! computed in `f64`, where products of `f32` are exact, and rounded at the end.
+//! computed in `f64` and rounded at the end.
 
-use math::two_part::{dot, two_product, two_sum};
-use math::{Degenerate, Exact, Hit, Ray3, Real, Roots, Span, TwoPart, Vector, Wide};
+mod at_once;
+mod careful;
+mod corrected;
+
+use math::two_part::two_sum;
+use math::{Degenerate, Hit, Ray3, Real, Roots, Span, TwoPart, Vector};
 
 use crate::{Hit3, Sphere};
+
+/// Every number of the robust method in `f64`. What is worked out with twice the digits is rounded for
+/// the reader, so one line may not follow from the line above as it is printed.
+///
+/// A degenerate ray or sphere gives values that mean nothing; [`Robust::hit`] refuses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robust<R: Real> {
+    /// The ray.
+    pub ray: Ray3<R>,
+    /// The sphere.
+    pub sphere: Sphere<R>,
+    /// L = c − p_r: the rounded difference.
+    pub l: [f64; 3],
+    /// What the rounding of L dropped.
+    pub l_error: [f64; 3],
+    /// The closest approach, and what of the line is inside the sphere.
+    pub chord: Chord,
+}
+
+/// Where the line comes closest to the center, and where it crosses the sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chord {
+    /// How the verdict was reached.
+    pub certainty: Certainty,
+    /// A = d · d
+    pub a: f64,
+    /// B = L · d (CSC418's with the other sign)
+    pub b: f64,
+    /// t_close = B / A, in lengths of the direction as given.
+    pub t_close: f64,
+    /// P = L − t_close d: from the point of closest approach to the center.
+    pub p: [f64; 3],
+    /// P · d / A: what the rounding of t_close left. Zero where it is of no account.
+    pub correction: f64,
+    /// a² = r² − P · P + (P · d)² / A, the square of half the chord: its sign is the verdict. NaN for a
+    /// degenerate ray or sphere.
+    pub half_chord_squared: f64,
+    /// h = √(a² / A), half the chord in lengths of the direction. `None` for a miss.
+    pub h: Option<f64>,
+    /// C = L · L − r², where the smaller root was found from it and not from t_close ∓ h.
+    pub c: Option<f64>,
+    /// The roots, t_close + (P · d / A ∓ h), or one of them C over A and the other. `None` for a miss.
+    pub roots: Option<Roots<f64>>,
+}
 
 /// How the verdict was reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {
-    /// In plain `f64`: a miss by more than any rounding could make up for.
+    /// In plain `f64`: by more than any rounding could make up for.
     AtOnce,
-    /// With twice the digits, and error bounds that exclude any other verdict.
+    /// With P and a² to twice the digits.
+    Corrected,
+    /// With twice the digits throughout.
     TwoPart,
     /// By exact sums.
     Exact,
@@ -43,257 +101,97 @@ impl Certainty {
     pub fn meaning(self) -> &'static str {
         match self {
             Certainty::AtOnce => "certain at once",
-            Certainty::TwoPart => "certain by its error bound",
+            Certainty::Corrected | Certainty::TwoPart => "certain by its error bound",
             Certainty::Exact => "too close to call: summed exactly",
         }
     }
 }
 
-/// Every number of the robust method, rounded to `f64` for the reader; it is worked out with twice the
-/// digits, so one line may not follow from the line above as it is printed.
-///
-/// A degenerate ray or sphere gives NaN after L; [`Robust::hit`] refuses it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Robust<R: Real> {
-    /// The ray.
-    pub ray: Ray3<R>,
-    /// The sphere.
-    pub sphere: Sphere<R>,
-    /// How it was decided.
-    pub certainty: Certainty,
-    /// L = c − p_r: the rounded difference.
-    pub l: [f64; 3],
-    /// What the rounding of L dropped.
-    pub l_error: [f64; 3],
-    /// A = d · d
-    pub a: f64,
-    /// B = L · d (CSC418's with the other sign)
-    pub b: f64,
-    /// C = L · L − r²
-    pub c: f64,
-    /// t_close = B / A, in lengths of the direction as given.
-    pub t_close: f64,
-    /// P = L − t_close d: from the point of closest approach to the center.
-    pub p: [f64; 3],
-    /// a² = r² − P · P, the square of half the chord; its sign, exact, is the verdict.
-    pub half_chord_squared: f64,
-    /// h = √(a² / A), half the chord in lengths of the direction. `None` for a miss.
-    pub h: Option<f64>,
-    /// The roots and half the chord before they are rounded.
-    crossing: Option<Crossing>,
-}
-
-/// A line through the sphere, as precisely as it is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Crossing {
-    roots: Roots<Wide>,
-    p: [Wide; 3],
-    h: Wide,
-}
-
-/// What decides: the numbers of the closest approach, seen from the center.
-#[derive(Clone, Copy)]
-struct Approach {
-    a: Wide,
-    b: Wide,
-    c: Wide,
-    t_close: Wide,
-    p: [Wide; 3],
-    half_chord_squared: Wide,
-    certainty: Certainty,
-}
-
-/// How far a component of P may be off, in ‖L‖. With two-part operations that err by 2^−102 at the
-/// most, a dot product is within 2^−100 of the sum of its magnitudes, t_close = B/A then within
-/// 2^−99 ‖L‖/‖d‖, and P = L − t_close d within 2^−98 ‖L‖: a fourth of this.
-const P_ERROR: f64 = 1.0 / (1u128 << 96) as f64;
-/// How far a sum of squares, r² − P·P or L·L − r², is off on its own account, in the sum of their
-/// magnitudes. (P's error adds 2 ‖P‖ P_ERROR ‖L‖ and its square to the former.)
-const SUM_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
-/// The same in plain `f64`, whose operations err by u = 2^−53: t_close is within 8u ‖L‖/‖d‖, P within
-/// 11u ‖L‖, less than this.
-const PLAIN_P_ERROR: f64 = 1.0 / (1u64 << 49) as f64;
-/// And r² − P·P adds 4u of r² + P·P.
-const PLAIN_SUM_ERROR: f64 = 1.0 / (1u64 << 51) as f64;
-/// What an error may be of the number that it spoils: a quarter of the last digit of an `f64`.
-const HARMLESS: f64 = 1.0 / (1u64 << 55) as f64;
-/// Between these, squares and the errors of their products neither overflow nor vanish.
-const SAFE: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
-
 /// Works out the robust method.
+#[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
-    let [origin, direction, center] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
+    let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
     let r: f64 = sphere.radius.into();
-    let l: [TwoPart; 3] = std::array::from_fn(|axis| two_sum(center[axis], -origin[axis]));
-    let nan = f64::NAN;
-    let mut work = Robust {
-        ray: *ray,
-        sphere: *sphere,
-        certainty: Certainty::TwoPart,
-        l: l.map(|part| part.hi),
-        l_error: l.map(|part| part.lo),
-        a: nan,
-        b: nan,
-        c: nan,
-        t_close: nan,
-        p: [nan; 3],
-        half_chord_squared: nan,
-        h: None,
-        crossing: None,
+    let l: [TwoPart; 3] = std::array::from_fn(|axis| two_sum(c[axis], -p_r[axis]));
+    let chord = match at_once::chord::<R>(l, d, r) {
+        at_once::Found::Certain(chord) => chord,
+        at_once::Found::Doubtful { a, b, t_close } => {
+            corrected::chord(l, d, r, a, b, t_close).unwrap_or_else(|| careful::chord(ray, sphere))
+        }
+        at_once::Found::OutOfRange => careful::chord(ray, sphere),
     };
-    if sphere.check(ray).is_err() {
-        return work;
-    }
-    let safe = is_safe(direction, work.l, r);
-    if safe && work.misses_at_once(direction, r) {
-        return work;
-    }
-    let two_part = if safe { in_two_parts(direction, l, r) } else { None };
-    let approach = two_part.unwrap_or_else(|| exactly(origin, direction, center, r));
-    let Approach { a, b, c, t_close, p, half_chord_squared, certainty } = approach;
-    work.certainty = certainty;
-    [work.a, work.b, work.c] = [a, b, c].map(Wide::to_f64);
-    [work.t_close, work.half_chord_squared] = [t_close, half_chord_squared].map(Wide::to_f64);
-    work.p = p.map(Wide::to_f64);
-    if half_chord_squared.is_negative() {
-        return work;
-    }
-
-    // On the side where h adds, nothing cancels; the other root follows from A t₁ t₂ = C.
-    let h = (half_chord_squared / a).sqrt();
-    let outer = if t_close.is_negative() { t_close - h } else { t_close + h };
-    let inner = if h.is_zero() { outer } else { c / (a * outer) };
-    let roots = if t_close.is_negative() {
-        Roots { near: outer, far: inner }
-    } else {
-        Roots { near: inner, far: outer }
-    };
-    work.h = Some(h.to_f64());
-    work.crossing = Some(Crossing { roots, p, h });
-    work
+    Robust { ray: *ray, sphere: *sphere, l: l.map(|part| part.hi), l_error: l.map(|part| part.lo), chord }
 }
 
-/// The closest approach with twice the digits; `None` where the error left could matter.
-fn in_two_parts(direction: [f64; 3], l: [TwoPart; 3], r: f64) -> Option<Approach> {
-    let d = direction;
-    let r_r = two_product(r, r);
-    let (a, b, l_l) = (dot(d.map(TwoPart::from), d), dot(l, d), dot(l, l));
-    let c = l_l - r_r;
-    let t_close = b / a;
-    let p: [TwoPart; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
-    let p_p = dot(p, p);
-    let half_chord_squared = r_r - p_p;
-
-    let p_error = P_ERROR * l_l.hi.sqrt();
-    let error = p_error * (2.0 * p_p.hi.sqrt() + p_error) + SUM_ERROR * (p_p.hi + r * r);
-    let certain = if half_chord_squared.hi < 0.0 {
-        -half_chord_squared.hi > error
-    } else {
-        // An error δ in a² is one of δ/2a in a. It spoils t as a share of the way to the outer root, and n
-        // as a share of r; so does the error of P. That of C spoils the inner root. (And since δ is at
-        // least SUM_ERROR r², a² that passes is far above its error: the line does hit.)
-        let half_chord = half_chord_squared.hi.sqrt();
-        let way = t_close.hi.abs() * a.hi.sqrt() + half_chord;
-        let spoiled = way.min(r);
-        error <= HARMLESS * half_chord * spoiled
-            && p_error <= HARMLESS * spoiled
-            && SUM_ERROR * (l_l.hi + r * r) <= HARMLESS * c.hi.abs()
-    };
-    let [a, b, c, t_close, half_chord_squared] = [a, b, c, t_close, half_chord_squared].map(Wide::from);
-    let approach = Approach {
-        a,
-        b,
-        c,
-        t_close,
-        p: p.map(Wide::from),
-        half_chord_squared,
-        certainty: Certainty::TwoPart,
-    };
-    certain.then_some(approach)
-}
-
-/// The closest approach from exact sums: A, B, C, D = B² − A C and A P = A L − B d, each rounded once.
-fn exactly(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], r: f64) -> Approach {
-    let direction = direction.map(Exact::new);
-    let l: [Exact; 3] = std::array::from_fn(|axis| Exact::new(center[axis]) - Exact::new(origin[axis]));
-    let r = Exact::new(r);
-    let a = Exact::dot(&direction, &direction);
-    let b = Exact::dot(&l, &direction);
-    let c = Exact::dot(&l, &l) - r.clone() * r;
-    let d = b.clone() * b.clone() - a.clone() * c.clone();
-    let a_p: [Exact; 3] =
-        std::array::from_fn(|axis| a.clone() * l[axis].clone() - b.clone() * direction[axis].clone());
-    let [a, b, c, d] = [a, b, c, d].map(|exact| exact.to_wide());
-    let p = a_p.map(|component| component.to_wide() / a);
-    Approach { a, b, c, t_close: b / a, p, half_chord_squared: d / a, certainty: Certainty::Exact }
-}
-
-/// Whether squares of these numbers stay well inside the range of `f64`.
-fn is_safe(direction: [f64; 3], l: [f64; 3], r: f64) -> bool {
-    let largest = |v: [f64; 3]| v.into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    SAFE.contains(&largest(direction)) && SAFE.contains(&largest(l).max(r))
+impl Chord {
+    /// The same with the roots t_close ∓ h, where neither is a small difference.
+    #[inline(always)]
+    fn crossed(self, h: f64) -> Chord {
+        let root = |h: f64| self.t_close + (self.correction + h);
+        Chord { h: Some(h), roots: Some(Roots { near: root(-h), far: root(h) }), ..self }
+    }
 }
 
 impl<R: Real> Robust<R> {
-    /// Works the closest approach out in plain `f64`, and tells whether that is enough: most rays miss
-    /// most spheres, and by far.
-    fn misses_at_once(&mut self, d: [f64; 3], r: f64) -> bool {
-        let l = self.l;
-        let plain_dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        // Not below the length of the vector, and without a root.
-        let at_least_length = |v: [f64; 3]| v[0].abs() + v[1].abs() + v[2].abs();
-        let (a, b) = (plain_dot(d, d), plain_dot(l, d));
-        let t_close = b / a;
-        let p: [f64; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
-        let p_p = plain_dot(p, p);
-
-        let p_error = PLAIN_P_ERROR * at_least_length(l);
-        let error = p_error * (2.0 * at_least_length(p) + p_error) + PLAIN_SUM_ERROR * (p_p + r * r);
-        let half_chord_squared = r * r - p_p;
-        if half_chord_squared >= -error {
-            return false;
-        }
-        self.certainty = Certainty::AtOnce;
-        (self.a, self.b, self.c) = (a, b, plain_dot(l, l) - r * r);
-        (self.t_close, self.p, self.half_chord_squared) = (t_close, p, half_chord_squared);
-        true
-    }
-
     /// The two crossings, rounded to the precision of the ray; `None` for a miss.
+    #[inline(always)]
     pub fn roots(&self) -> Option<Roots<R>> {
-        let Roots { near, far } = self.crossing?.roots;
-        Some(Roots { near: near.rounded(), far: far.rounded() })
+        let Roots { near, far } = self.chord.roots?;
+        Some(Roots { near: rounded(near), far: rounded(far) })
     }
 
-    /// The nearest hit in `span`. t, n = (∓ h d − P) / r and x are worked out with twice the digits and
-    /// rounded at the end; x is p_r + t d or c + r n, whichever adds the smaller number.
+    /// The nearest hit in `span`: n = (∓ h d − P) / r, and x is p_r + t d or c + r n, whichever adds the
+    /// smaller number.
+    #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        self.sphere.check(&self.ray)?;
-        let (Some(crossing), Some(roots)) = (self.crossing, self.roots()) else { return Ok(None) };
+        let (ray, sphere, chord) = (self.ray, self.sphere, self.chord);
+        if chord.half_chord_squared.is_nan() {
+            return sphere.check(&ray).map(|()| None);
+        }
+        let (Some(crossing), Some(h), Some(roots)) = (chord.roots, chord.h, self.roots()) else {
+            return Ok(None);
+        };
         let Some(t) = roots.first_within(span) else { return Ok(None) };
         let enters = span.contains(roots.near);
-        let (wide_t, h) =
-            if enters { (crossing.roots.near, -crossing.h) } else { (crossing.roots.far, crossing.h) };
+        if chord.certainty == Certainty::Exact {
+            return Ok(Some(careful::hit(&ray, &sphere, t, enters)));
+        }
 
-        let [p_r, d, c]: [[Wide; 3]; 3] =
-            [self.ray.origin, self.ray.direction, self.sphere.center].map(Wide::vector::<R, 3>);
-        let r = Wide::of(self.sphere.radius);
-        let from_center: [Wide; 3] = std::array::from_fn(|axis| h * d[axis] - crossing.p[axis]);
-        let from_origin = d.map(|component| wide_t * component);
-        let origin_is_nearer = (dot_wide(from_origin, from_origin) - r * r).is_negative();
-
-        let round = |x: Wide| R::round_from(x.to_f64());
-        let [x, y, z] = std::array::from_fn(|axis| match origin_is_nearer {
-            true => round(p_r[axis] + from_origin[axis]),
-            false => round(c[axis] + from_center[axis]),
+        let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
+        let r: f64 = sphere.radius.into();
+        let (wide_t, h) = if enters { (crossing.near, -h) } else { (crossing.far, h) };
+        let along = chord.correction + h;
+        let from_center: [f64; 3] = std::array::from_fn(|axis| along * d[axis] - chord.p[axis]);
+        let origin_is_nearer = wide_t * wide_t * chord.a < r * r;
+        let [x, y, z] = std::array::from_fn(|axis| {
+            R::round_from(match origin_is_nearer {
+                true => p_r[axis] + wide_t * d[axis],
+                false => c[axis] + from_center[axis],
+            })
         });
-        let [n_x, n_y, n_z] = from_center.map(|component| round(component / r));
+        let [n_x, n_y, n_z] = from_center.map(|component| R::round_from(component / r + 0.0)); // minus zero is zero
         Ok(Some(Hit { t, point: R::vec3(x, y, z), normal: R::vec3(n_x, n_y, n_z) }))
     }
 }
 
-fn dot_wide(a: [Wide; 3], b: [Wide; 3]) -> Wide {
+/// A root in the precision R, except that no negative one becomes zero: what lies behind the origin
+/// of a ray stays behind it.
+#[inline(always)]
+fn rounded<R: Real>(t: f64) -> R {
+    let nearest = R::round_from(t);
+    if t < 0.0 && nearest == R::from(0.0) { -R::SMALLEST } else { nearest }
+}
+
+/// a · b in plain `f64`.
+#[inline(always)]
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// |x| + |y| + |z|: not below the length of a vector, and without a root.
+#[inline(always)]
+fn at_least_length(v: [f64; 3]) -> f64 {
+    v[0].abs() + v[1].abs() + v[2].abs()
 }
 
 #[cfg(test)]
@@ -314,7 +212,7 @@ mod tests {
             let [x, r, z] = [3.0, 3.0, 8.0].map(|number| number * scale);
             for length in [1.0, 1e-150, 1e150, 5e-324] {
                 let touching = work([x, 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r);
-                assert_eq!(touching.half_chord_squared, 0.0, "scale 2^{power}, length {length:e}");
+                assert_eq!(touching.chord.half_chord_squared, 0.0, "scale 2^{power}, length {length:e}");
                 assert!(touching.roots().is_some_and(|roots| roots.near == roots.far));
                 // one digit farther out it misses, one digit farther in it hits
                 assert!(
@@ -346,24 +244,40 @@ mod tests {
     }
 
     #[test]
-    fn a_point_near_the_eye_keeps_its_digits_beside_a_huge_sphere() {
+    fn a_point_near_the_eye_has_the_digits_of_the_eye_beside_a_huge_sphere() {
         // the ground: y = 0 to within 1e−11 around the origin, seen from a height of 1
         let radius = 2e11;
         let hit = work([0.0, 1.0, 0.0], [0.6, -0.8, 0.0], [0.0, -radius, 0.0], radius);
         let point = hit.hit(Span::ahead()).unwrap().unwrap().point;
         // closed form: −x²/2r to the first order; x = 0.75
         let y = -0.75 * 0.75 / (2.0 * radius);
-        assert!((point.y / y - 1.0).abs() < 1e-10, "{point}");
+        assert!((point.y - y).abs() < f64::EPSILON, "{point}: the digits of p_r, not those of c");
     }
 
     #[test]
     fn an_origin_on_the_surface_touches_at_zero() {
         // (2, 3, 6) lies on the sphere of radius 7; by hand, along −x it leaves at x = −2
         let touching = work([2.0, 3.0, 6.0], [-1.0, 0.0, 0.0], [0.0; 3], 7.0);
-        assert_eq!(touching.certainty, Certainty::Exact);
+        assert_eq!(touching.chord.certainty, Certainty::Exact);
         assert_eq!(touching.roots(), Some(Roots { near: 0.0, far: 4.0 }));
         // a tangent there
         let grazing = work([2.0, 3.0, 6.0], [3.0, -2.0, 0.0], [0.0; 3], 7.0);
         assert_eq!(grazing.roots(), Some(Roots { near: 0.0, far: 0.0 }));
+    }
+
+    /// Each of the four ways is taken by the rays that it is for.
+    #[test]
+    fn four_ways() {
+        let at = |x: f64, z: f64| work([x, 0.0, z], [0.0, 0.0, 1.0], [0.0, 0.0, 8.0], 1.0).chord.certainty;
+        assert_eq!(at(2.0, 0.0), Certainty::AtOnce, "a clear miss");
+        assert_eq!(at(0.5, 0.0), Certainty::AtOnce, "a clear hit");
+        assert_eq!(at(1.0 - 1e-9, 0.0), Certainty::Corrected, "a hit next to a tangent");
+        assert_eq!(at(0.5, 7.13), Certainty::TwoPart, "an origin next to the surface");
+        assert_eq!(at(1.0, 0.0), Certainty::Exact, "a tangent");
+        let half_the_digits = robust(
+            &Ray3::<f32>::new(glam::Vec3::new(1.0 - 1e-5, 0.0, 0.0), glam::Vec3::Z),
+            &Sphere { center: glam::Vec3::new(0.0, 0.0, 8.0), radius: 1.0 },
+        );
+        assert_eq!(half_the_digits.chord.certainty, Certainty::AtOnce, "next to a tangent for an f32");
     }
 }

@@ -28,6 +28,8 @@ pub trait Real:
     type Vec3: Vector<Self>;
     /// The name that `--precision` takes.
     const NAME: &'static str;
+    /// How many binary digits a significand has: 24 or 53.
+    const DIGITS: u32;
     /// Positive infinity: "no upper bound on t".
     const INFINITY: Self;
     /// The smallest number above zero (a subnormal one).
@@ -133,6 +135,7 @@ macro_rules! real {
             type Vec2 = $vec2;
             type Vec3 = $vec3;
             const NAME: &'static str = stringify!($scalar);
+            const DIGITS: u32 = $scalar::MANTISSA_DIGITS;
             const INFINITY: Self = $scalar::INFINITY;
             const SMALLEST: Self = $scalar::from_bits(1);
 

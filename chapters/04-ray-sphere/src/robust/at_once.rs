@@ -1,0 +1,115 @@
+//! The first way of [`robust`](super): House's closest approach in plain `f64`, with its error bound.
+//!
+//! With u = 2^−53, the error of one operation, t_close is within 8u ‖L‖/‖d‖, and so P within 11u ‖L‖, and
+//! r² − P·P within 40u of L·L + r². That is enough for the verdict of most rays, and for every digit of an
+//! `f32`. For the digits of an `f64` the bound is taken apart in [`spoiled`].
+
+use math::{Real, TwoPart};
+
+use super::{Certainty, Chord, dot};
+
+/// What plain `f64` can say.
+pub(super) enum Found {
+    /// A certain miss, or a hit whose numbers are good.
+    Certain(Chord),
+    /// Too close to call, or too inexact.
+    Doubtful {
+        /// A = d · d
+        a: f64,
+        /// B = L · d
+        b: f64,
+        /// t_close = B / A
+        t_close: f64,
+    },
+    /// Squares may overflow or vanish, or the question is degenerate.
+    OutOfRange,
+}
+
+/// u, the relative error of one operation.
+const UNIT: f64 = f64::EPSILON / 2.0;
+/// The error of r² − P·P in L·L + r²: more than 40u.
+const ERROR: f64 = 64.0 * UNIT;
+/// What the error of t may be of t, where t is an `f64`: at most eight units of its last digit.
+const OF_T: f64 = 7.5 * UNIT;
+/// What the error of the normal may be: a 20 000th of the last digit of an `f32`, of an angle.
+const OF_NORMAL: f64 = 1024.0 * UNIT;
+/// Between these, neither a square nor the errors of its products overflow or vanish.
+const SAFE_SQUARE: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
+
+/// The chord, where plain `f64` is enough for the precision R. (Inlined into every caller: it is most of
+/// what `robust` costs.)
+#[inline(always)]
+pub(super) fn chord<R: Real>(l: [TwoPart; 3], d: [f64; 3], r: f64) -> Found {
+    let is_f64 = R::DIGITS == f64::MANTISSA_DIGITS;
+    let [l, l_error] = [l.map(|part| part.hi), l.map(|part| part.lo)];
+    let (a, b, l_l, r_r) = (dot(d, d), dot(l, d), dot(l, l), r * r);
+    if !(r > 0.0 && SAFE_SQUARE.contains(&r_r) && SAFE_SQUARE.contains(&a) && l_l <= *SAFE_SQUARE.end()) {
+        return Found::OutOfRange;
+    }
+    let one_over_a = 1.0 / a;
+    let t_close = b * one_over_a;
+    let mut p: [f64; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
+    if is_f64 {
+        p = std::array::from_fn(|axis| p[axis] + l_error[axis]);
+    }
+    let half_chord_squared = r_r - dot(p, p);
+    let miss = Chord {
+        certainty: Certainty::AtOnce,
+        a,
+        b,
+        t_close,
+        p,
+        correction: 0.0,
+        half_chord_squared,
+        h: None,
+        c: None,
+        roots: None,
+    };
+    let error = ERROR * (l_l + r_r);
+    if half_chord_squared < -error {
+        return Found::Certain(miss);
+    }
+    let h = (half_chord_squared * one_over_a).sqrt();
+    let is_enough = match is_f64 {
+        true => is_enough_for_f64(t_close.abs(), h, (r_r * one_over_a).sqrt()),
+        false => is_enough_for_f32(half_chord_squared, l_l, r_r),
+    };
+    if !(half_chord_squared > error && is_enough) {
+        return Found::Doubtful { a, b, t_close };
+    }
+    // In f32 the rounding of t_close is of no account.
+    let correction = if is_f64 { dot(p, d) * one_over_a } else { 0.0 };
+    Found::Certain(Chord { correction, ..miss }.crossed(h))
+}
+
+/// Whether t and the normal are good, for lengths in units of the direction: the way to the closest
+/// approach, half the chord h, the radius.
+#[inline(always)]
+fn is_enough_for_f64(way: f64, h: f64, r: f64) -> bool {
+    let spoiled = spoiled(way, h, r);
+    let inner = (way - h).abs();
+    spoiled <= OF_T * (h * inner) && 2.0 * spoiled <= OF_NORMAL * (h * r)
+}
+
+/// h times the error of either root.
+///
+/// The error of t_close does not matter, since P · d / A makes up for it. Given t_close, P is within u of
+/// t_close d and 2u of itself; P · d / A within that and 3u ‖P‖ of rounding; a² within 2‖P‖ times the
+/// error of P, and 5u r²; h within that over 2h, and 3.5u h. Their sum is rounded twice.
+#[inline(always)]
+fn spoiled(way: f64, h: f64, r: f64) -> f64 {
+    UNIT * (h * (1.5 * way + 9.5 * r) + r * (way + 4.5 * r))
+}
+
+/// Whether t and the normal are good to a quarter of the last digit of an `f32`, 2^−26.
+///
+/// With S = L·L + r² and half the chord a, a root is within 40u S/a, as a length, and the inner root is at
+/// least |L·L − r²| / √2S; the normal is within 40u S/(a r). 57 · 2^−53 · 2^26 is less than 2^−21.
+#[inline(always)]
+fn is_enough_for_f32(half_chord_squared: f64, l_l: f64, r_r: f64) -> bool {
+    const SHARE: f64 = 1.0 / (1u64 << 42) as f64; // (2^−21)²
+    let (s, c) = (l_l + r_r, l_l - r_r);
+    let of_t = half_chord_squared * (c * c) >= SHARE * (s * s * s);
+    let of_normal = half_chord_squared * r_r >= SHARE * (s * s);
+    of_t && of_normal
+}
