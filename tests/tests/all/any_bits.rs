@@ -5,12 +5,12 @@
 
 use std::collections::BTreeMap;
 
+use lab::oracle::{Dyadic, ExactRoot, Verdict, exact_plane, exact_sphere, exact_wall};
 use stage::{Precision, Stage};
 use tests::{Folder, STAGES};
 
 use crate::draw::Draw;
-use crate::exact::{Answer, answers, assert_none};
-use crate::verdicts::{Verdict, of_plane, of_sphere, of_wall};
+use crate::exact::{Answer, answers, assert_none, number};
 
 const ROWS: usize = 2000;
 const SEED: u64 = 20260101;
@@ -64,15 +64,6 @@ fn every_answer_is_in_order() {
 /// The numbers of a case in the order of its columns, as the precision reads them.
 fn case(answer: &Answer, columns: &[&str], precision: Precision) -> Vec<f64> {
     columns.iter().map(|column| number(answer.want.text(column), precision)).collect()
-}
-
-/// A number as a precision reads it.
-fn number(text: &str, precision: Precision) -> f64 {
-    match precision {
-        Precision::F32 => text.parse::<f32>().map(f64::from),
-        Precision::F64 => text.parse::<f64>(),
-    }
-    .unwrap_or_else(|_| panic!("`{text}` is no number"))
 }
 
 /// NaN anywhere, or a parameter behind the origin.
@@ -157,13 +148,10 @@ fn what_robust_decides_is_true() {
         let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
         failures.extend(faults(*stage, &["robust"], |answer, _, precision| {
             let case = case(answer, about.inputs, precision);
-            if is_invalid(about.inputs, &case) {
-                return None;
-            }
             let verdict = exact_verdict(about.name, &case);
             let what = match &verdict {
                 Verdict::Hit { .. } => "hit",
-                Verdict::Miss(reason) => reason,
+                Verdict::Miss(reason) | Verdict::Invalid(reason) => reason,
             };
             *seen.entry((precision.name(), what)).or_default() += 1;
             untrue(answer, &verdict, precision)
@@ -180,12 +168,12 @@ fn what_robust_decides_is_true() {
     assert_none(failures);
 }
 
-/// The exact answer to a valid case.
+/// The exact answer to a case.
 fn exact_verdict(stage: &str, case: &[f64]) -> Verdict {
     match stage {
-        "ray-wall" => of_wall(case.try_into().unwrap()),
-        "ray-plane" => of_plane(case.try_into().unwrap()),
-        "ray-sphere" => of_sphere(case.try_into().unwrap()),
+        "ray-wall" => exact_wall(case.try_into().unwrap()),
+        "ray-plane" => exact_plane(case.try_into().unwrap()),
+        "ray-sphere" => exact_sphere(case.try_into().unwrap()),
         _ => panic!("{stage} has a method `robust`: it needs an exact verdict here"),
     }
 }
@@ -201,13 +189,49 @@ fn untrue(answer: &Answer, verdict: &Verdict, precision: Precision) -> Option<St
             let roots = [("t", Some(t)), ("t_out", out.as_ref())];
             roots.into_iter().filter_map(|(column, root)| Some((column, root?))).find_map(|(column, root)| {
                 let text = got(column);
-                let near = root.is_next_to(number(text, precision), precision);
+                let near = is_next_to(root, number(text, precision), precision);
                 (!near).then(|| format!("{column} = {text} is more than a digit off"))
             })
         }
-        Verdict::Miss(reason) => {
-            let right = got("hit") == "0" && got("reason") == *reason;
-            (!right).then(|| format!("want 0 `{reason}`, got {} `{}`", got("hit"), got("reason")))
+        Verdict::Miss(reason) => differs(["0", reason], ["hit", "reason"].map(got)),
+        Verdict::Invalid(reason) => differs(["invalid", reason], ["hit", "reason"].map(got)),
+    }
+}
+
+/// `hit` and `reason` are not as they should be.
+fn differs(want: [&str; 2], got: [&str; 2]) -> Option<String> {
+    (want != got).then(|| format!("hit and reason: want {want:?}, got {got:?}"))
+}
+
+/// Whether `t` is one of the numbers of the precision next to the root, the root itself, or
+/// infinite where the root is beyond the largest number.
+fn is_next_to(root: &ExactRoot, t: f64, precision: Precision) -> bool {
+    if t.is_nan() {
+        return false;
+    }
+    let (below, above) = match precision {
+        Precision::F32 => ((t as f32).next_down().into(), (t as f32).next_up().into()),
+        Precision::F64 => (t.next_down(), t.next_up()),
+    };
+    let is_below = below == f64::NEG_INFINITY || root.compared_with(&Dyadic::of(below)).is_ge();
+    let is_above = above == f64::INFINITY || root.compared_with(&Dyadic::of(above)).is_le();
+    is_below && is_above
+}
+
+#[test]
+fn neighbors_of_a_root_are_next_to_it() {
+    // by hand: the sphere of radius 5 around (0, 0, 13), the ray 3 beside its center: t = 13 ± 4
+    let sphere = exact_sphere([3., 0., 0., 0., 0., 1., 0., 0., 13., 5.]);
+    let Verdict::Hit { t, out: Some(out) } = sphere else { panic!("a hit") };
+    for (root, exact) in [(t, 9.0_f64), (out, 17.0)] {
+        for next in [exact, exact.next_up(), exact.next_down()] {
+            assert!(is_next_to(&root, next, Precision::F64));
+        }
+        for far in [exact.next_up().next_up(), exact.next_down().next_down(), f64::NAN, f64::INFINITY] {
+            assert!(!is_next_to(&root, far, Precision::F64));
         }
     }
+    // by hand: 1e10 / 5e−324 is beyond the largest number
+    let Verdict::Hit { t, .. } = exact_wall([0., 0., 5e-324, 0., 1e10, 2e10]) else { panic!("a hit") };
+    assert!(is_next_to(&t, f64::INFINITY, Precision::F64) && !is_next_to(&t, 1e308, Precision::F64));
 }

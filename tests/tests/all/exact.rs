@@ -39,7 +39,7 @@ impl Record {
 }
 
 /// The rows of a CSV text without quotes.
-fn records(text: &str) -> Vec<Record> {
+pub(crate) fn records(text: &str) -> Vec<Record> {
     let mut lines = text.lines();
     let names: Vec<&str> = lines.next().expect("a header row").split(',').collect();
     let record = |line: &str| {
@@ -91,6 +91,15 @@ impl Answer {
         };
         place(want).abs_diff(place(got))
     }
+}
+
+/// A number as a precision reads it.
+pub(crate) fn number(text: &str, precision: Precision) -> f64 {
+    match precision {
+        Precision::F32 => text.parse::<f32>().map(f64::from),
+        Precision::F64 => text.parse::<f64>(),
+    }
+    .unwrap_or_else(|_| panic!("`{text}` is no number"))
 }
 
 /// Fails with the first few of the failures.

@@ -6,16 +6,15 @@ mod bad_requests;
 mod cases;
 mod commands;
 mod draw;
-mod dyadic;
 mod exact;
 mod exact_cases;
 mod help;
+mod oracle_on_cases;
 mod pictures;
 mod pipes;
 mod process;
 mod readme;
 mod transcripts;
-mod verdicts;
 mod workbench;
 
 /// Compares a text with the committed `snapshots/NAME.snap`.

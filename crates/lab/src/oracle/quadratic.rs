@@ -1,0 +1,142 @@
+//! A t² − 2 B t + C = 0: where a line enters and leaves a curved surface.
+
+use std::cmp::Ordering;
+
+use dashu_int::ops::SquareRoot;
+
+use super::Dyadic;
+use super::digits::Digits;
+
+/// The equation A t² − 2 B t + C = 0, with A > 0 and two real roots, which are equal for a tangent.
+#[derive(Debug)]
+pub(super) struct Quadratic {
+    a: Dyadic,
+    b: Dyadic,
+    c: Dyadic,
+    /// B² − A C, not negative.
+    discriminant: Dyadic,
+}
+
+/// One of the two roots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Which {
+    /// (B − √D) / A, where the line enters.
+    Smaller,
+    /// (B + √D) / A, where it leaves.
+    Larger,
+}
+
+/// How many bits of |B| + √D are worked out behind the first.
+const BITS: i32 = 130;
+
+impl Quadratic {
+    /// The equation with these coefficients; `None` where it has no real root, since B² < A C.
+    ///
+    /// Panics where A is zero: then it is not quadratic, and its one root is the quotient C / 2B.
+    pub(super) fn new(a: Dyadic, b: Dyadic, c: Dyadic) -> Option<Quadratic> {
+        assert!(!a.is_zero(), "an equation without t²");
+        let discriminant = &b.square() - &(&a * &c);
+        if discriminant.sign().is_lt() {
+            return None;
+        }
+        // The same roots, with A > 0.
+        let [a, b, c] = if a.sign().is_lt() { [-&a, -&b, -&c] } else { [a, b, c] };
+        Some(Quadratic { a, b, c, discriminant })
+    }
+
+    /// How a root compares with `t`.
+    pub(super) fn compared_with(&self, which: Which, t: &Dyadic) -> Ordering {
+        let a_t = &self.a * t;
+        // B / A, where the line is deepest, is midway between the roots.
+        let beyond_the_middle = (&a_t - &self.b).sign();
+        // On its own side of the middle a root is where the polynomial changes its sign.
+        let polynomial = || (&(&(&a_t - &(&self.b + &self.b)) * t) + &self.c).sign();
+        match (which, beyond_the_middle) {
+            (Which::Smaller, Ordering::Greater) => Ordering::Less,
+            (Which::Larger, Ordering::Less) => Ordering::Greater,
+            (Which::Smaller, _) => polynomial(),
+            (Which::Larger, _) => polynomial().reverse(),
+        }
+    }
+
+    /// The leading digits of a root, without a difference whose digits could cancel.
+    pub(super) fn digits(&self, which: Which) -> Digits {
+        let [low, high] = self.sum();
+        // B ± √D adds up where both have the same sign; the other root is C over that sum (Vieta).
+        match (which, self.b.sign()) {
+            (Which::Larger, Ordering::Less) => Digits::of_quotient(&-&self.c, &high),
+            (Which::Larger, _) => Digits::of_quotient(&low, &self.a),
+            (Which::Smaller, Ordering::Greater) => Digits::of_quotient(&self.c, &high),
+            (Which::Smaller, _) => Digits::of_quotient(&-&low, &self.a),
+        }
+    }
+
+    /// |B| + √D to within 2^−129 of it: it is not less than the first number, and less than the second.
+    fn sum(&self) -> [Dyadic; 2] {
+        let top_of_root = self.discriminant.top().map(|top| top.div_euclid(2));
+        let Some(top) = self.b.top().max(top_of_root) else {
+            return [Dyadic::scaled(0, 0), Dyadic::scaled(1, 0)];
+        };
+        let unit = top - BITS;
+        // Both are rounded down to whole units: together they lack less than two.
+        let low = self.b.whole(unit) + self.discriminant.whole(2 * unit).sqrt();
+        let high = &low + 2u8;
+        [low, high].map(|units| Dyadic::scaled(units, unit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn equation(coefficients: [f64; 3]) -> Option<Quadratic> {
+        let [a, b, c] = coefficients.map(Dyadic::of);
+        Quadratic::new(a, b, c)
+    }
+
+    /// How both roots compare with `t`.
+    fn compared(equation: &Quadratic, t: f64) -> [Ordering; 2] {
+        [Which::Smaller, Which::Larger].map(|which| equation.compared_with(which, &Dyadic::of(t)))
+    }
+
+    #[test]
+    fn roots_are_compared_exactly() {
+        use Ordering::{Equal, Greater, Less};
+        // by hand: 2 (t − 3)(t − 5) = 2 t² − 16 t + 30, and the same with every sign turned
+        for coefficients in [[2.0, 8.0, 30.0], [-2.0, -8.0, -30.0]] {
+            let equation = equation(coefficients).unwrap();
+            assert_eq!(compared(&equation, 3.0_f64.next_down()), [Greater, Greater]);
+            assert_eq!(compared(&equation, 3.0), [Equal, Greater]);
+            assert_eq!(compared(&equation, 3.0_f64.next_up()), [Less, Greater]);
+            assert_eq!(compared(&equation, 4.0), [Less, Greater]);
+            assert_eq!(compared(&equation, 5.0), [Less, Equal]);
+            assert_eq!(compared(&equation, 5.0_f64.next_up()), [Less, Less]);
+        }
+        // by hand: (t + 1)² touches at −1
+        assert_eq!(compared(&equation([1.0, -1.0, 1.0]).unwrap(), -1.0), [Equal, Equal]);
+    }
+
+    #[test]
+    fn the_smallest_difference_decides() {
+        // by hand: D = 1 − (1 + 2^−52) < 0, D = 1 − 1 = 0, D = 1e600 − 1e600 + 5e−324 > 0
+        assert!(equation([1.0, 1.0, 1.0_f64.next_up()]).is_none());
+        assert!(equation([1.0, 1.0, 1.0]).is_some_and(|equation| equation.discriminant.is_zero()));
+        let [a, b] = [1.0, 1e300].map(Dyadic::of);
+        let below = &b.square() - &Dyadic::of(5e-324);
+        let above = &b.square() + &Dyadic::of(5e-324);
+        assert!(Quadratic::new(a.clone(), b.clone(), below).is_some());
+        assert!(Quadratic::new(a, b, above).is_none());
+    }
+
+    #[test]
+    fn a_sum_is_held_by_its_two_numbers() {
+        // (x − |B|)² against D, from both sides; by hand: |B| + √D = 0 for the last
+        for coefficients in [[1.0, 1.0, -1.0], [3.0, -1e200, 7.0], [1.0, 0.0, -5e-324], [1.0, 0.0, 0.0]] {
+            let equation = equation(coefficients).unwrap();
+            let size = if equation.b.sign().is_lt() { -&equation.b } else { equation.b.clone() };
+            let [low, high] = equation.sum().map(|x| &x - &size);
+            assert!(low.sign().is_lt() || (&low.square() - &equation.discriminant).sign().is_le());
+            assert!(high.sign().is_gt() && (&high.square() - &equation.discriminant).sign().is_gt());
+        }
+    }
+}
