@@ -130,13 +130,27 @@ mod tests {
 
     #[test]
     fn a_sum_is_held_by_its_two_numbers() {
-        // (x − |B|)² against D, from both sides; by hand: |B| + √D = 0 for the last
-        for coefficients in [[1.0, 1.0, -1.0], [3.0, -1e200, 7.0], [1.0, 0.0, -5e-324], [1.0, 0.0, 0.0]] {
+        // B of the third lacks a digit of a unit, and so does √D: together they lack more than one.
+        let below_a_unit = 2.0_f64.powi(-BITS).next_down();
+        for coefficients in [
+            [1.0, 1.0, -1.0],
+            [3.0, -1e200, 7.0],
+            [1.0, below_a_unit, -2.0],
+            [1.0, 0.0, -5e-324],
+            [1.0, 0.0, -0.2],
+        ] {
             let equation = equation(coefficients).unwrap();
             let size = if equation.b.sign().is_lt() { -&equation.b } else { equation.b.clone() };
-            let [low, high] = equation.sum().map(|x| &x - &size);
-            assert!(low.sign().is_lt() || (&low.square() - &equation.discriminant).sign().is_le());
-            assert!(high.sign().is_gt() && (&high.square() - &equation.discriminant).sign().is_gt());
+            let [low, high] = equation.sum();
+            // (x − |B|)² against D, from both sides
+            let [to_low, to_high] = [&low - &size, &high - &size];
+            assert!(to_low.sign().is_lt() || (&to_low.square() - &equation.discriminant).sign().is_le());
+            assert!(to_high.sign().is_gt() && (&to_high.square() - &equation.discriminant).sign().is_gt());
+            // 2^−129 of it apart, or less
+            let apart = &(&high - &low) * &Dyadic::scaled(1, 129);
+            assert!((&apart - &low).sign().is_le(), "{coefficients:?}");
         }
+        // by hand: |B| + √D = 0
+        assert!(equation([1.0, 0.0, 0.0]).unwrap().sum()[0].is_zero());
     }
 }
