@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn a_sum_is_held_by_its_two_numbers() {
-        // B of the third lacks a digit of a unit, and so does √D: together they lack more than one.
+        // The third has a B of nearly a unit, which is cut, and so is √D: more than one unit is missing.
         let below_a_unit = 2.0_f64.powi(-BITS).next_down();
         for coefficients in [
             [1.0, 1.0, -1.0],
