@@ -9,6 +9,7 @@
 //! Each method takes a [`Ray3`] and a [`Sphere`] and returns a struct with every number on the way;
 //! its `roots()` are the two crossings and its `hit(span)` the answer. [`Method`] lists them all.
 
+pub mod batched;
 pub mod closest_approach;
 #[cfg(feature = "stage")]
 mod explain;
@@ -23,6 +24,7 @@ pub mod stage;
 
 use math::{Degenerate, Hit, Ray3, Real, Roots, Span, Vector};
 
+pub use batched::{Batched, batched};
 pub use closest_approach::{ClosestApproach, closest_approach};
 pub use half_quadratic::{HalfQuadratic, half_quadratic};
 pub use quadratic::{Quadratic, quadratic};
