@@ -22,8 +22,8 @@
 //!    then is not quite at right angles to d: P·d / A is what the rounding of t_close left, and
 //!    a² = r² − P·P + (P·d)²/A, summed with twice the digits, is half the chord squared. An error δ in
 //!    a² moves a by at most √δ, so t is good to the last digits even next to a tangent.
-//! 3. **In two parts** throughout, where the origin is so near the surface that t_close ∓ h cancels: the
-//!    smaller root comes from Vieta ([`careful`]).
+//! 3. **Near the surface**, where one of t_close ∓ h cancels, that root comes from the other by Vieta, and
+//!    C, which cancels as well, from a sum with three times the digits.
 //! 4. **Exactly**, in integers as long as it takes, where even that leaves a doubt. The verdict is then
 //!    true, not likely.
 //!
@@ -31,8 +31,9 @@
 //! computed in `f64` and rounded at the end.
 
 mod at_once;
-mod careful;
 mod corrected;
+mod exact;
+mod near_surface;
 
 use math::two_part::two_sum;
 use math::{Degenerate, Hit, Ray3, Real, Roots, Span, TwoPart, Vector};
@@ -90,8 +91,8 @@ pub enum Certainty {
     AtOnce,
     /// With P and a² to twice the digits.
     Corrected,
-    /// With twice the digits throughout.
-    TwoPart,
+    /// The same, and C to three times the digits.
+    NearSurface,
     /// By exact sums.
     Exact,
 }
@@ -101,7 +102,7 @@ impl Certainty {
     pub fn meaning(self) -> &'static str {
         match self {
             Certainty::AtOnce => "certain at once",
-            Certainty::Corrected | Certainty::TwoPart => "certain by its error bound",
+            Certainty::Corrected | Certainty::NearSurface => "certain by its error bound",
             Certainty::Exact => "too close to call: summed exactly",
         }
     }
@@ -116,9 +117,9 @@ pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
     let chord = match at_once::chord::<R>(l, d, r) {
         at_once::Found::Certain(chord) => chord,
         at_once::Found::Doubtful { a, b, t_close } => {
-            corrected::chord(l, d, r, a, b, t_close).unwrap_or_else(|| careful::chord(ray, sphere))
+            corrected::chord(l, d, r, a, b, t_close).unwrap_or_else(|| exact::chord(ray, sphere))
         }
-        at_once::Found::OutOfRange => careful::chord(ray, sphere),
+        at_once::Found::OutOfRange => exact::chord(ray, sphere),
     };
     Robust { ray: *ray, sphere: *sphere, l: l.map(|part| part.hi), l_error: l.map(|part| part.lo), chord }
 }
@@ -154,7 +155,7 @@ impl<R: Real> Robust<R> {
         let Some(t) = roots.first_within(span) else { return Ok(None) };
         let enters = span.contains(roots.near);
         if chord.certainty == Certainty::Exact {
-            return Ok(Some(careful::hit(&ray, &sphere, t, enters)));
+            return Ok(Some(exact::hit(&ray, &sphere, t, enters)));
         }
 
         let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
@@ -272,7 +273,7 @@ mod tests {
         assert_eq!(at(2.0, 0.0), Certainty::AtOnce, "a clear miss");
         assert_eq!(at(0.5, 0.0), Certainty::AtOnce, "a clear hit");
         assert_eq!(at(1.0 - 1e-9, 0.0), Certainty::Corrected, "a hit next to a tangent");
-        assert_eq!(at(0.5, 7.13), Certainty::TwoPart, "an origin next to the surface");
+        assert_eq!(at(0.5, 7.13), Certainty::NearSurface, "an origin next to the surface");
         assert_eq!(at(1.0, 0.0), Certainty::Exact, "a tangent");
         let half_the_digits = robust(
             &Ray3::<f32>::new(glam::Vec3::new(1.0 - 1e-5, 0.0, 0.0), glam::Vec3::Z),

@@ -154,7 +154,7 @@ fn what_robust_decides_is_true() {
                 Verdict::Miss(reason) | Verdict::Invalid(reason) => reason,
             };
             *seen.entry((precision.name(), what)).or_default() += 1;
-            untrue(answer, &verdict, precision)
+            untrue(answer, &verdict, precision, bar(about.name, precision))
         }));
         // A sweep that does not meet every verdict proves nothing.
         let has_parallels = about.name != "ray-sphere";
@@ -168,6 +168,14 @@ fn what_robust_decides_is_true() {
     assert_none(failures);
 }
 
+/// The most that a parameter of `robust` may be off, in ulps: what its error bound allows.
+fn bar(stage: &str, precision: Precision) -> u64 {
+    match (stage, precision) {
+        ("ray-sphere", Precision::F64) => 8,
+        _ => 1,
+    }
+}
+
 /// The exact answer to a case.
 fn exact_verdict(stage: &str, case: &[f64]) -> Verdict {
     match stage {
@@ -179,7 +187,7 @@ fn exact_verdict(stage: &str, case: &[f64]) -> Verdict {
 }
 
 /// What an answer says that is not true.
-fn untrue(answer: &Answer, verdict: &Verdict, precision: Precision) -> Option<String> {
+fn untrue(answer: &Answer, verdict: &Verdict, precision: Precision, bar: u64) -> Option<String> {
     let got = |column: &str| answer.got.text(column);
     match verdict {
         Verdict::Hit { t, out } => {
@@ -189,8 +197,8 @@ fn untrue(answer: &Answer, verdict: &Verdict, precision: Precision) -> Option<St
             let roots = [("t", Some(t)), ("t_out", out.as_ref())];
             roots.into_iter().filter_map(|(column, root)| Some((column, root?))).find_map(|(column, root)| {
                 let text = got(column);
-                let near = is_next_to(root, number(text, precision), precision);
-                (!near).then(|| format!("{column} = {text} is more than a digit off"))
+                let near = is_within(bar, root, number(text, precision), precision);
+                (!near).then(|| format!("{column} = {text} is more than {bar} ulps off"))
             })
         }
         Verdict::Miss(reason) => differs(["0", reason], ["hit", "reason"].map(got)),
@@ -203,16 +211,21 @@ fn differs(want: [&str; 2], got: [&str; 2]) -> Option<String> {
     (want != got).then(|| format!("hit and reason: want {want:?}, got {got:?}"))
 }
 
-/// Whether `t` is one of the numbers of the precision next to the root, the root itself, or
-/// infinite where the root is beyond the largest number.
-fn is_next_to(root: &ExactRoot, t: f64, precision: Precision) -> bool {
+/// Whether the root lies within so many numbers of the precision from `t`, or `t` is infinite and the root
+/// beyond the largest number.
+fn is_within(ulps: u64, root: &ExactRoot, t: f64, precision: Precision) -> bool {
     if t.is_nan() {
         return false;
     }
-    let (below, above) = match precision {
-        Precision::F32 => ((t as f32).next_down().into(), (t as f32).next_up().into()),
-        Precision::F64 => (t.next_down(), t.next_up()),
-    };
+    let moved = |step: fn(f64, Precision) -> f64| (0..ulps).fold(t, |t, _| step(t, precision));
+    let below = moved(|t, precision| match precision {
+        Precision::F32 => (t as f32).next_down().into(),
+        Precision::F64 => t.next_down(),
+    });
+    let above = moved(|t, precision| match precision {
+        Precision::F32 => (t as f32).next_up().into(),
+        Precision::F64 => t.next_up(),
+    });
     let is_below = below == f64::NEG_INFINITY || root.compared_with(&Dyadic::of(below)).is_ge();
     let is_above = above == f64::INFINITY || root.compared_with(&Dyadic::of(above)).is_le();
     is_below && is_above
@@ -225,13 +238,13 @@ fn neighbors_of_a_root_are_next_to_it() {
     let Verdict::Hit { t, out: Some(out) } = sphere else { panic!("a hit") };
     for (root, exact) in [(t, 9.0_f64), (out, 17.0)] {
         for next in [exact, exact.next_up(), exact.next_down()] {
-            assert!(is_next_to(&root, next, Precision::F64));
+            assert!(is_within(1, &root, next, Precision::F64));
         }
         for far in [exact.next_up().next_up(), exact.next_down().next_down(), f64::NAN, f64::INFINITY] {
-            assert!(!is_next_to(&root, far, Precision::F64));
+            assert!(!is_within(1, &root, far, Precision::F64));
         }
     }
     // by hand: 1e10 / 5e−324 is beyond the largest number
     let Verdict::Hit { t, .. } = exact_wall([0., 0., 5e-324, 0., 1e10, 2e10]) else { panic!("a hit") };
-    assert!(is_next_to(&t, f64::INFINITY, Precision::F64) && !is_next_to(&t, 1e308, Precision::F64));
+    assert!(is_within(1, &t, f64::INFINITY, Precision::F64) && !is_within(1, &t, 1e308, Precision::F64));
 }

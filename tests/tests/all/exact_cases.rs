@@ -29,7 +29,7 @@ const PROMISES: &[Promise] = &[
     Promise { stage: "ray-wall", parameters: &["t", "t_out"], bars: [1, 1], residual: from_the_wall },
     Promise { stage: "ray-plane", parameters: &["t"], bars: [1, 2], residual: from_the_plane },
     // The error bound that `robust` works by allows 8; this is the most that was ever seen.
-    Promise { stage: "ray-sphere", parameters: &["t", "t_out"], bars: [1, 3], residual: from_the_sphere },
+    Promise { stage: "ray-sphere", parameters: &["t", "t_out"], bars: [1, 4], residual: from_the_sphere },
 ];
 
 /// x − front or x − back, whichever face is nearer.

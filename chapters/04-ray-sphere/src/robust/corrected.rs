@@ -7,7 +7,7 @@
 use math::TwoPart;
 use math::two_part::{two_product, two_sum};
 
-use super::{Certainty, Chord, at_least_length, dot};
+use super::{Certainty, Chord, at_least_length, dot, near_surface};
 
 /// The error of ‖P‖² in ‖L‖ ‖P‖: 2^−99 is 128u².
 const P_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
@@ -18,7 +18,7 @@ const CORRECTION_ERROR: f64 = 1.0 / (1u64 << 49) as f64;
 /// What the error of a² may be of the numbers that it spoils: u.
 const HARMLESS: f64 = f64::EPSILON / 2.0;
 
-/// The chord; `None` where the error left could matter.
+/// The chord, this way or the [third](near_surface); `None` where the error left could matter.
 #[inline(never)]
 pub(super) fn chord(l: [TwoPart; 3], d: [f64; 3], r: f64, a: f64, b: f64, t_close: f64) -> Option<Chord> {
     let p: [TwoPart; 3] = std::array::from_fn(|axis| {
@@ -44,22 +44,34 @@ pub(super) fn chord(l: [TwoPart; 3], d: [f64; 3], r: f64, a: f64, b: f64, t_clos
     let error = P_ERROR * l_size * at_least_length(p_hi)
         + SUM_ERROR * (r_r.hi + p_p)
         + CORRECTION_ERROR * (p_d * correction);
-    let (certainty, p) = (Certainty::Corrected, p_hi);
-    let miss =
-        Chord { certainty, a, b, t_close, p, correction, half_chord_squared, h: None, c: None, roots: None };
+    let certainty = Certainty::Corrected;
+    let miss = Chord {
+        certainty,
+        a,
+        b,
+        t_close,
+        p: p_hi,
+        correction,
+        half_chord_squared,
+        h: None,
+        c: None,
+        roots: None,
+    };
     if half_chord_squared < -error {
         return Some(miss);
     }
 
-    // t is off by the rounding of h, 2.5u, and of P · d, 4u ‖P‖: no more than 8u of the inner root where
-    // h + ‖P‖/‖d‖ is at most twice that. The error of a² must spoil neither t nor the normal.
     let h = (half_chord_squared / a).sqrt();
+    let spoils_nothing = half_chord_squared > error
+        && error * error <= HARMLESS * HARMLESS * half_chord_squared * r_r.hi
+        && error <= HARMLESS * h * a * (t_close.abs() + h);
+    if !spoils_nothing {
+        return None;
+    }
+    // t is off by the rounding of h, 2.5u, and of P · d, 4u ‖P‖: no more than 8u of the inner root where
+    // h + ‖P‖/‖d‖ is at most twice that.
     let inner = (t_close.abs() - h).abs();
     let spare = 2.0 * inner - h;
-    let is_enough = half_chord_squared > error
-        && spare > 0.0
-        && spare * spare * a >= p_p
-        && error <= HARMLESS * h * a * inner
-        && error * error <= HARMLESS * HARMLESS * half_chord_squared * r_r.hi;
-    is_enough.then(|| miss.crossed(h))
+    let inner_is_good = spare > 0.0 && spare * spare * a >= p_p && error <= HARMLESS * h * a * inner;
+    if inner_is_good { Some(miss.crossed(h)) } else { near_surface::chord(&miss, p, l, d, r_r) }
 }

@@ -1,0 +1,64 @@
+//! The third way of [`robust`](super): the origin is so near the surface that one of t_close ∓ h cancels.
+//!
+//! The outer root, where they add, is good. The inner one follows from A t₁ t₂ = C, if C = L·L − r² is; and C is
+//! the difference of two nearly equal numbers, of which a rounded surface point leaves the last sixteen
+//! digits. So it is summed from exact products with three times the digits.
+
+use math::two_part::{threefold_sum, two_product};
+use math::{Roots, TwoPart};
+
+use super::{Certainty, Chord};
+
+/// The error of C in L·L + r²: seventeen terms, so (34 · 2^−53)³, and as much again for the squares of
+/// what the rounding of L dropped.
+const C_ERROR: f64 = 1.0 / (1u128 << 126) as f64 / (1u64 << 16) as f64;
+/// What it may be of C: 2^−54, half a rounding.
+const HARMLESS: f64 = f64::EPSILON / 4.0;
+
+/// The chord of a line that hits: `hit` has its P, its a² and a rounded A, `p` the same P in two parts.
+/// `None` where C is too near to zero, as it is for an origin exactly on the surface.
+///
+/// A and P · d are rounded once here, so that h is within 1.3u, the outer root within 2.3u, and the inner,
+/// with C, the product and the quotient, within 5u.
+pub(super) fn chord(
+    hit: &Chord,
+    p: [TwoPart; 3],
+    l: [TwoPart; 3],
+    d: [f64; 3],
+    r_r: TwoPart,
+) -> Option<Chord> {
+    let c = c(l, r_r);
+    let l_l: f64 = l.iter().map(|part| part.hi * part.hi).sum();
+    if C_ERROR * (l_l + r_r.hi) > HARMLESS * c.abs() {
+        return None;
+    }
+    let a = rounded_dot(d.map(TwoPart::from), d);
+    let correction = rounded_dot(p, d) / a;
+    let h = (hit.half_chord_squared / a).sqrt();
+    let outward = if hit.t_close < 0.0 { -h } else { h };
+    let outer = hit.t_close + (correction + outward);
+    let inner = c / (a * outer);
+    let roots = match hit.t_close < 0.0 {
+        true => Roots { near: outer, far: inner },
+        false => Roots { near: inner, far: outer },
+    };
+    let certainty = Certainty::NearSurface;
+    Some(Chord { certainty, a, correction, h: Some(h), c: Some(c), roots: Some(roots), ..*hit })
+}
+
+/// C = L·L − r²: the squares of both parts of L and twice their product, as exact products.
+fn c(l: [TwoPart; 3], r_r: TwoPart) -> f64 {
+    let mut terms = [0.0; 17];
+    for (axis, TwoPart { hi, lo }) in l.into_iter().enumerate() {
+        let (square, twice) = (two_product(hi, hi), two_product(2.0 * hi, lo));
+        terms[5 * axis..5 * axis + 5].copy_from_slice(&[square.hi, square.lo, twice.hi, twice.lo, lo * lo]);
+    }
+    (terms[15], terms[16]) = (-r_r.hi, -r_r.lo);
+    threefold_sum(terms)
+}
+
+/// a · b, rounded once.
+fn rounded_dot(a: [TwoPart; 3], b: [f64; 3]) -> f64 {
+    let dot = math::two_part::dot(a, b);
+    dot.hi + dot.lo
+}
