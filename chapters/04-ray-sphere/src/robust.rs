@@ -27,13 +27,14 @@
 //! 4. **Exactly**, in integers as long as it takes, where even that leaves a doubt. The verdict is then
 //!    true, not likely.
 //!
-//! Squares of 1e±200 overflow or vanish; there the exact sums are taken straight away. `f32` is
+//! Squares of 1e±200 overflow or vanish; such a question is [scaled] first, by powers of two. `f32` is
 //! computed in `f64` and rounded at the end.
 
 mod at_once;
 mod corrected;
 mod exact;
 mod near_surface;
+mod scaled;
 
 use math::two_part::two_sum;
 use math::{Degenerate, Hit, Ray3, Real, Roots, Span, TwoPart, Vector};
@@ -93,6 +94,8 @@ pub enum Certainty {
     Corrected,
     /// The same, and C to three times the digits.
     NearSurface,
+    /// In one of these three ways, at a scale where squares neither overflow nor vanish.
+    Scaled,
     /// By exact sums.
     Exact,
 }
@@ -103,6 +106,7 @@ impl Certainty {
         match self {
             Certainty::AtOnce => "certain at once",
             Certainty::Corrected | Certainty::NearSurface => "certain by its error bound",
+            Certainty::Scaled => "certain by its error bound, at another scale",
             Certainty::Exact => "too close to call: summed exactly",
         }
     }
@@ -113,18 +117,47 @@ impl Certainty {
 pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
     let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
     let r: f64 = sphere.radius.into();
-    let l: [TwoPart; 3] = std::array::from_fn(|axis| two_sum(c[axis], -p_r[axis]));
+    let l = two_part_difference(c, p_r);
     let chord = match at_once::chord::<R>(l, d, r) {
         at_once::Found::Certain(chord) => chord,
         at_once::Found::Doubtful { a, b, t_close } => {
             corrected::chord(l, d, r, a, b, t_close).unwrap_or_else(|| exact::chord(ray, sphere))
         }
-        at_once::Found::OutOfRange => exact::chord(ray, sphere),
+        at_once::Found::OutOfRange => scaled::chord(ray, sphere),
     };
     Robust { ray: *ray, sphere: *sphere, l: l.map(|part| part.hi), l_error: l.map(|part| part.lo), chord }
 }
 
+/// The chord by the first three ways; `None` where they leave a doubt, or squares overflow or vanish.
+fn certain<R: Real>(l: [TwoPart; 3], d: [f64; 3], r: f64) -> Option<Chord> {
+    match at_once::chord::<R>(l, d, r) {
+        at_once::Found::Certain(chord) => Some(chord),
+        at_once::Found::Doubtful { a, b, t_close } => corrected::chord(l, d, r, a, b, t_close),
+        at_once::Found::OutOfRange => None,
+    }
+}
+
+/// a − b, and what its rounding dropped.
+#[inline(always)]
+fn two_part_difference(a: [f64; 3], b: [f64; 3]) -> [TwoPart; 3] {
+    std::array::from_fn(|axis| two_sum(a[axis], -b[axis]))
+}
+
 impl Chord {
+    /// That of a degenerate ray or sphere.
+    const NONE: Chord = Chord {
+        certainty: Certainty::AtOnce,
+        a: f64::NAN,
+        b: f64::NAN,
+        t_close: f64::NAN,
+        p: [f64::NAN; 3],
+        correction: f64::NAN,
+        half_chord_squared: f64::NAN,
+        h: None,
+        c: None,
+        roots: None,
+    };
+
     /// The same with the roots t_close ∓ h, where neither is a small difference.
     #[inline(always)]
     fn crossed(self, h: f64) -> Chord {
@@ -149,30 +182,44 @@ impl<R: Real> Robust<R> {
         if chord.half_chord_squared.is_nan() {
             return sphere.check(&ray).map(|()| None);
         }
-        let (Some(crossing), Some(h), Some(roots)) = (chord.roots, chord.h, self.roots()) else {
-            return Ok(None);
-        };
+        let Some(roots) = self.roots() else { return Ok(None) };
         let Some(t) = roots.first_within(span) else { return Ok(None) };
         let enters = span.contains(roots.near);
-        if chord.certainty == Certainty::Exact {
-            return Ok(Some(exact::hit(&ray, &sphere, t, enters)));
+        match chord.certainty {
+            Certainty::Exact => return Ok(Some(exact::hit(&ray, &sphere, t, enters))),
+            Certainty::Scaled => return Ok(Some(scaled::hit(&ray, &sphere, t, enters))),
+            Certainty::AtOnce | Certainty::Corrected | Certainty::NearSurface => {}
         }
-
         let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
-        let r: f64 = sphere.radius.into();
-        let (wide_t, h) = if enters { (crossing.near, -h) } else { (crossing.far, h) };
-        let along = chord.correction + h;
-        let from_center: [f64; 3] = std::array::from_fn(|axis| along * d[axis] - chord.p[axis]);
-        let origin_is_nearer = wide_t * wide_t * chord.a < r * r;
-        let [x, y, z] = std::array::from_fn(|axis| {
-            R::round_from(match origin_is_nearer {
-                true => p_r[axis] + wide_t * d[axis],
-                false => c[axis] + from_center[axis],
-            })
-        });
-        let [n_x, n_y, n_z] = from_center.map(|component| R::round_from(component / r + 0.0)); // minus zero is zero
-        Ok(Some(Hit { t, point: R::vec3(x, y, z), normal: R::vec3(n_x, n_y, n_z) }))
+        let found = point_and_normal(p_r, d, c, sphere.radius.into(), &chord, enters);
+        Ok(found.map(|([x, y, z], [n_x, n_y, n_z])| {
+            let round = R::round_from;
+            let point = R::vec3(round(x), round(y), round(z));
+            Hit { t, point, normal: R::vec3(round(n_x), round(n_y), round(n_z)) }
+        }))
     }
+}
+
+/// The point at the near root or the far one, and its normal; `None` for a miss.
+#[inline(always)]
+fn point_and_normal(
+    p_r: [f64; 3],
+    d: [f64; 3],
+    c: [f64; 3],
+    r: f64,
+    chord: &Chord,
+    enters: bool,
+) -> Option<([f64; 3], [f64; 3])> {
+    let (roots, h) = (chord.roots?, chord.h?);
+    let (t, h) = if enters { (roots.near, -h) } else { (roots.far, h) };
+    let along = chord.correction + h;
+    let from_center: [f64; 3] = std::array::from_fn(|axis| along * d[axis] - chord.p[axis]);
+    let origin_is_nearer = t * t * chord.a < r * r;
+    let point = std::array::from_fn(|axis| match origin_is_nearer {
+        true => p_r[axis] + t * d[axis],
+        false => c[axis] + from_center[axis],
+    });
+    Some((point, from_center.map(|component| component / r + 0.0))) // minus zero is zero
 }
 
 /// A root in the precision R, except that no negative one becomes zero: what lies behind the origin

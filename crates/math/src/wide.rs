@@ -78,7 +78,7 @@ impl Wide {
 }
 
 /// floor(log2 |x|) of a finite nonzero x.
-fn exponent_of(x: f64) -> i32 {
+pub fn exponent_of(x: f64) -> i32 {
     let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
     if biased == 0 { exponent_of(x * power_of_two(64)) - 64 } else { biased - 1023 }
 }
@@ -88,8 +88,9 @@ fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// x · 2^exponent for any exponent, rounded once where it becomes subnormal. |x| is below 4.
-fn scaled(x: f64, exponent: i32) -> f64 {
+/// x · 2^exponent for any exponent: infinite above the largest number. Exact, but for a result that is
+/// subnormal: that is rounded, once if |x| is at least 2^−22.
+pub fn scaled(x: f64, exponent: i32) -> f64 {
     match exponent {
         1023.. => x * power_of_two(1000) * power_of_two((exponent - 1000).min(1023)),
         -1022..1023 => x * power_of_two(exponent),

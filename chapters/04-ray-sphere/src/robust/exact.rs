@@ -26,25 +26,10 @@ struct Approach {
     half_chord_squared: Wide,
 }
 
-/// The chord. For a degenerate ray or sphere a² is NaN: neither a miss nor a hit.
+/// The chord. The ray and the sphere must not be degenerate.
 #[cold]
 #[inline(never)]
 pub(super) fn chord<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Chord {
-    if sphere.check(ray).is_err() {
-        let nan = f64::NAN;
-        return Chord {
-            certainty: Certainty::AtOnce,
-            a: nan,
-            b: nan,
-            t_close: nan,
-            p: [nan; 3],
-            correction: nan,
-            half_chord_squared: nan,
-            h: None,
-            c: None,
-            roots: None,
-        };
-    }
     let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
     let r: f64 = sphere.radius.into();
     let approach = exactly(p_r, d, c, r);
