@@ -47,6 +47,13 @@ pub trait Real:
     fn is_finite(self) -> bool;
     /// The nearest number of this precision; beyond the largest one, an infinity.
     fn round_from(x: f64) -> Self;
+    /// A root t rounded to this precision, except that no negative one becomes zero: what lies behind
+    /// the origin of a ray stays behind it.
+    #[inline(always)]
+    fn root_from(t: f64) -> Self {
+        let nearest = Self::round_from(t);
+        if t < 0.0 && nearest == Self::from(0.0) { -Self::SMALLEST } else { nearest }
+    }
     /// The decimal number nearest to `text`, read straight into this precision (so rounded once).
     /// `nan`, `inf` and overflowing numbers are numbers; what is not a number is `None`.
     fn parse(text: &str) -> Option<Self>;

@@ -31,7 +31,7 @@ pub fn two_sum(a: f64, b: f64) -> TwoPart {
 }
 
 /// a + b exactly, where |a| ≥ |b| or a = 0 (Dekker's FastTwoSum).
-fn fast_two_sum(a: f64, b: f64) -> TwoPart {
+pub fn fast_two_sum(a: f64, b: f64) -> TwoPart {
     let hi = a + b;
     TwoPart { hi, lo: b - (hi - a) }
 }
@@ -60,16 +60,20 @@ fn halves(a: f64) -> (f64, f64) {
 /// The sum of many numbers as if it were computed with three times the digits and then rounded: off by less
 /// than u of itself and (2Nu)³ of the sum of their magnitudes, u = 2^−53 (Ogita, Rump and Oishi 2005, SumK
 /// with K = 3).
-///
-/// Twice, each sum passes its rounding error to the number before it; nothing is lost.
-pub fn threefold_sum<const N: usize>(mut terms: [f64; N]) -> f64 {
+pub fn threefold_sum<const N: usize>(terms: [f64; N]) -> f64 {
+    distilled(terms).into_iter().sum()
+}
+
+/// Other numbers with the same sum, the last of them nearly all of it: twice, each sum passes its rounding
+/// error to the number before it, and nothing is lost.
+pub fn distilled<const N: usize>(mut terms: [f64; N]) -> [f64; N] {
     for _ in 0..2 {
         for i in 1..N {
             let sum = two_sum(terms[i], terms[i - 1]);
             (terms[i], terms[i - 1]) = (sum.hi, sum.lo);
         }
     }
-    terms.into_iter().sum()
+    terms
 }
 
 /// a · b for vectors, in two parts: products and sums with twice the digits.
