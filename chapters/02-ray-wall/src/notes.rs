@@ -20,6 +20,7 @@ pub struct Notes<R: Real> {
 /// Works out House's method, for a direction of any length but zero.
 ///
 /// A degenerate ray or wall gives values that mean nothing; [`Notes::hit`] refuses them.
+#[inline]
 pub fn notes<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Notes<R> {
     let (p_x, u_x) = (ray.origin.x(), ray.direction.x());
 
@@ -33,6 +34,7 @@ pub fn notes<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Notes<R> {
 impl<R: Real> Notes<R> {
     /// Inside the wall for t_front ≤ t ≤ t_back, or the other way round for a ray that points to −x.
     /// (The page prints "3 ≥ t ≥ 3.5", which no t satisfies.)
+    #[inline]
     pub fn crossing(&self) -> Crossing<R> {
         if self.ray.direction.x() == R::from(0.0) {
             return Crossing::Along(self.wall.along(&self.ray));
@@ -42,6 +44,7 @@ impl<R: Real> Notes<R> {
 
     /// The nearest hit in `span`: "we take t = 3". A ray that starts inside hits where it leaves; one
     /// that runs along the wall has no hit.
+    #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         self.wall.check(&self.ray)?;
         let Crossing::Through(roots) = self.crossing() else { return Ok(None) };

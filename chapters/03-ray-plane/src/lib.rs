@@ -47,6 +47,7 @@ pub enum Meeting<R> {
 impl<R: Real> Plane<R> {
     /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
     /// [`Degenerate::ZeroNormal`], whichever comes first.
+    #[inline(always)]
     pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
         if ![ray.origin, ray.direction, self.point, self.normal].iter().all(|v| v.is_finite()) {
             return Err(Degenerate::NotFinite);
@@ -61,6 +62,7 @@ impl<R: Real> Plane<R> {
     }
 
     /// n / ‖n‖, the unit normal that the page has, for a normal of any length but zero.
+    #[inline(always)]
     pub fn unit_normal(&self) -> R::Vec3 {
         self.normal.normalized()
     }

@@ -25,6 +25,7 @@ pub struct Notes<R: Real> {
 /// Works out House's method, for a direction and a normal of any length but zero.
 ///
 /// A degenerate ray or plane gives values that mean nothing; [`Notes::hit`] refuses them.
+#[inline]
 pub fn notes<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Notes<R> {
     let (p_r, u_r, p_0, n) = (ray.origin, ray.direction, plane.point, plane.normal);
 
@@ -43,6 +44,7 @@ impl<R: Real> Notes<R> {
     /// does meet the plane, at the t of Eq. 4.2.
     ///
     /// The numbers must be finite; see [`Plane::check`].
+    #[inline]
     pub fn meeting(&self) -> Meeting<R> {
         match parallel(&self.ray, &self.plane) {
             Some(how) => Meeting::Never(how),
@@ -56,6 +58,7 @@ impl<R: Real> Notes<R> {
     }
 
     /// The hit, where its t lies in `span`. The normal is n / ‖n‖, on whichever side the ray comes from.
+    #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.plane.check(&self.ray)?;
         let Meeting::At(t) = self.meeting() else { return Ok(None) };

@@ -16,6 +16,7 @@ const SMALLEST_SAFE: f64 = 1e-280;
 
 /// How the ray runs along the plane; `None` where n · u_r ≠ 0. Decided on the numbers as given, which
 /// must be finite.
+#[inline(always)]
 pub fn parallel<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Option<Parallel> {
     let [n, u]: [[f64; 3]; 2] = [plane.normal, ray.direction].map(|v| v.in_f64());
     let products: [f64; 3] = std::array::from_fn(|axis| n[axis] * u[axis]);
@@ -24,11 +25,18 @@ pub fn parallel<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Option<Parallel> {
     if sum.abs() > ERROR * size && sum.abs() > SMALLEST_SAFE {
         return None;
     }
+    let [p_r, p_0]: [[f64; 3]; 2] = [ray.origin, plane.point].map(|v| v.in_f64());
+    exactly(n, u, p_r, p_0)
+}
+
+/// The same by exact sums.
+#[cold]
+#[inline(never)]
+fn exactly(n: [f64; 3], u: [f64; 3], p_r: [f64; 3], p_0: [f64; 3]) -> Option<Parallel> {
     let [n, u] = [n, u].map(|v| v.map(Exact::new));
     if !Exact::dot(&n, &u).is_zero() {
         return None;
     }
-    let [p_r, p_0]: [[f64; 3]; 2] = [ray.origin, plane.point].map(|v| v.in_f64());
     let from_plane: [Exact; 3] = std::array::from_fn(|axis| Exact::new(p_r[axis]) - Exact::new(p_0[axis]));
     let on_plane = Exact::dot(&n, &from_plane).is_zero();
     Some(if on_plane { Parallel::Within } else { Parallel::Apart })
