@@ -4,9 +4,9 @@
 //! x = front and the face x = back, without end in y. So only the x of the ray matters, and each face
 //! is one linear equation, p_x + t u_x = front, with one division to solve it.
 //!
-//! [`mod@notes`] is that division. [`mod@robust`] is the same with nothing rounded before the end. Both
-//! return a struct with every number on the way, whose `hit(span)` is the answer. What the page leaves
-//! open (a ray that starts inside, points away, or runs along a face) is decided in [`Crossing`].
+//! [`mod@notes`] is that division. [`mod@robust`] is the same, rounded once. Both return a struct with
+//! every number on the way, whose `hit(span)` is the answer. What the page leaves open (a ray that starts
+//! inside, points away, or runs along a face) is decided in [`Crossing`].
 
 pub mod notes;
 #[cfg(feature = "stage")]
@@ -44,6 +44,7 @@ pub enum Crossing<R> {
 impl<R: Real> Wall<R> {
     /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
     /// [`Degenerate::FrontBeyondBack`], whichever comes first.
+    #[inline(always)]
     pub fn check(&self, ray: &Ray2<R>) -> Result<(), Degenerate> {
         let finite = [self.front, self.back].iter().all(|x| x.is_finite());
         if !finite || !ray.origin.is_finite() || !ray.direction.is_finite() {
@@ -59,12 +60,14 @@ impl<R: Real> Wall<R> {
     }
 
     /// How a ray with u_x = 0 runs along this wall. Decided on the numbers as given, so exactly.
+    #[inline(always)]
     pub fn along(&self, ray: &Ray2<R>) -> Parallel {
         let p_x = ray.origin.x();
         if p_x == self.front || p_x == self.back { Parallel::Within } else { Parallel::Apart }
     }
 
     /// The outward normal of the face that the line of `ray` enters by (`far` = false) or leaves by.
+    #[inline(always)]
     pub fn normal(&self, ray: &Ray2<R>, far: bool) -> R::Vec2 {
         let (zero, one) = (R::from(0.0), R::from(1.0));
         let by_the_front = (ray.direction.x() > zero) != far;

@@ -5,75 +5,138 @@
 //! overflows where both are huge and of opposite sign, though the quotient is an ordinary number,
 //! and a quotient below the smallest number rounds to −0, which looks like a touch at t = 0.
 //!
-//! Here the difference keeps its rounding error, exponents cannot overflow, and only the result is
-//! rounded. What lies behind the origin stays behind it. And since the ray hits a face, the x of the
+//! So there are two ways:
+//!
+//! 1. **At once.** Away from the ends of the range the plain quotient has the sign of t, which is the
+//!    verdict; where a face is hit, one correction gives t its last digit (`corrected`). In `f32` not even
+//!    that is needed: the quotient is computed in `f64`, whose range is wide enough for all of `f32`.
+//! 2. **Carefully**, near the ends of the range: exponents that cannot overflow, and twice the digits
+//!    (`careful.rs`).
+//!
+//! What lies behind the origin stays behind it. And since the ray hits a face, the x of the
 //! point is the x of the face, whatever p_x + t u_x rounds to.
 
-use math::{Degenerate, Hit, Ray2, Real, Roots, Span, Vector, Wide};
+mod careful;
+
+use math::two_part::{two_product, two_sum};
+use math::{Degenerate, Hit, Ray2, Real, Roots, Span, Vector};
 
 use crate::{Crossing, Hit2, Wall};
 
 /// Every number of the robust method.
 ///
-/// A degenerate ray or wall, and one with u_x = 0, has no parameters; [`Robust::hit`] refuses the former.
+/// A degenerate ray or wall gives values that mean nothing; [`Robust::hit`] refuses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Robust<R: Real> {
     /// The ray.
     pub ray: Ray2<R>,
     /// The wall.
     pub wall: Wall<R>,
-    /// front − p_x and back − p_x, to twice the digits. `None` as above.
-    pub to_faces: Option<[Wide; 2]>,
-    /// (front − p_x) / u_x and (back − p_x) / u_x, before they are rounded.
-    faces: Option<[Wide; 2]>,
+    /// front − p_x and back − p_x, rounded to `f64`.
+    pub to_faces: [f64; 2],
+    /// The same divided by u_x: t_front and t_back but for their last digits. `None` where that is not
+    /// certain, or there is no t.
+    quotients: Option<[f64; 2]>,
 }
 
+/// Between these, u_x and the quotients, neither a product nor its rounding error overflows or vanishes.
+const SAFE: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+
 /// Works out the robust method.
+#[inline(always)]
 pub fn robust<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Robust<R> {
-    let (p_x, u_x) = (Wide::of(ray.origin.x()), Wide::of(ray.direction.x()));
-    let mut work = Robust { ray: *ray, wall: *wall, to_faces: None, faces: None };
-    if wall.check(ray).is_err() || u_x.is_zero() {
-        return work;
-    }
-    let to_faces = [wall.front, wall.back].map(|x| Wide::of(x) - p_x);
-    work.to_faces = Some(to_faces);
-    work.faces = Some(to_faces.map(|to_face| to_face / u_x));
-    work
+    let [p_x, p_y, u_x, u_y]: [f64; 4] =
+        [ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y()].map(R::into);
+    let [front, back]: [f64; 2] = [wall.front, wall.back].map(R::into);
+
+    let to_faces = [front - p_x, back - p_x];
+    let quotients = to_faces.map(|to_face| to_face / u_x);
+
+    // This refuses what is degenerate as well: an x that is not finite makes a quotient infinite or NaN, and
+    // no comparison holds for NaN.
+    let is_safe = |to_face: f64, t: f64| SAFE.contains(&t.abs()) || to_face == 0.0;
+    let is_plain = SAFE.contains(&u_x.abs())
+        && is_safe(to_faces[0], quotients[0])
+        && is_safe(to_faces[1], quotients[1])
+        && p_y.abs() <= *SAFE.end()
+        && u_y.abs() <= *SAFE.end()
+        && front <= back;
+    Robust { ray: *ray, wall: *wall, to_faces, quotients: is_plain.then_some(quotients) }
+}
+
+/// (face − p_x) / u_x to half a unit of its last digit and hardly more, from the rounded quotient q.
+///
+/// With u = 2^−53: the difference is known exactly, in two parts, and so are q u_x and the rest of the
+/// division, but for one rounding. That rest is at most 2u of the difference, so that its rounding and that
+/// of its quotient are 4u² of t. Then q + rest / u_x is rounded once.
+#[inline(always)]
+fn corrected(face: f64, p_x: f64, u_x: f64, q: f64) -> f64 {
+    let to_face = two_sum(face, -p_x);
+    let product = two_product(q, u_x);
+    let rest = ((to_face.hi - product.hi) - product.lo) + to_face.lo;
+    q + rest / u_x
 }
 
 impl<R: Real> Robust<R> {
+    /// t of the face at x = `face`, from its quotient.
+    #[inline(always)]
+    fn t(&self, face: R, quotient: f64) -> f64 {
+        if R::DIGITS < f64::MANTISSA_DIGITS {
+            return quotient;
+        }
+        corrected(face.into(), self.ray.origin.x().into(), self.ray.direction.x().into(), quotient)
+    }
+
     /// (front − p_x) / u_x, rounded; `None` where there is none.
     pub fn t_front(&self) -> Option<R> {
-        self.faces.map(|[front, _]| front.rounded())
+        Some(self.faces()?[0])
     }
 
     /// (back − p_x) / u_x, rounded; `None` where there is none.
     pub fn t_back(&self) -> Option<R> {
-        self.faces.map(|[_, back]| back.rounded())
+        Some(self.faces()?[1])
+    }
+
+    fn faces(&self) -> Option<[R; 2]> {
+        let Some([front, back]) = self.quotients else {
+            return careful::faces(&self.ray, &self.wall).map(|faces| faces.map(|t| t.rounded()));
+        };
+        let faces = [self.t(self.wall.front, front), self.t(self.wall.back, back)];
+        Some(faces.map(|t| R::root_from(t) + R::from(0.0))) // minus zero is zero
     }
 
     /// Where the line of the ray meets the wall.
     pub fn crossing(&self) -> Crossing<R> {
-        match (self.t_front(), self.t_back()) {
-            (Some(front), Some(back)) => Crossing::Through(Roots::sorted(front, back)),
-            _ => Crossing::Along(self.wall.along(&self.ray)),
+        match self.faces() {
+            Some([front, back]) => Crossing::Through(Roots::sorted(front, back)),
+            None => Crossing::Along(self.wall.along(&self.ray)),
         }
     }
 
-    /// The nearest hit in `span`. The x of the point is the face; t and the y p_y + t u_y are worked
-    /// out with twice the digits and rounded at the end.
+    /// The nearest hit in `span`. The x of the point is the face; its y is p_y + t u_y.
+    #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
-        self.wall.check(&self.ray)?;
-        let (Some([front, back]), Crossing::Through(roots)) = (self.faces, self.crossing()) else {
-            return Ok(None);
+        let (ray, wall) = (self.ray, self.wall);
+        let Some([front, back]) = self.quotients else {
+            return careful::hit(&ray, &wall, span);
         };
-        let Some(t) = roots.first_within(span) else { return Ok(None) };
-        let leaves = !span.contains(roots.near);
-        let by_the_front = (self.ray.direction.x() > R::from(0.0)) != leaves;
-        let (face, wide_t) = if by_the_front { (self.wall.front, front) } else { (self.wall.back, back) };
-        let y = Wide::of(self.ray.origin.y()) + wide_t * Wide::of(self.ray.direction.y());
-        let point = R::vec2(face, R::round_from(y.to_f64()));
-        Ok(Some(Hit { t, point, normal: self.wall.normal(&self.ray, leaves) }))
+        let zero = R::from(0.0);
+        // A quotient has the sign of its t: what lies behind needs no digits.
+        if front < 0.0 && back < 0.0 && span.min >= zero {
+            return Ok(None);
+        }
+        let [front, back] = [(wall.front, front), (wall.back, back)];
+        let (near, far) = if ray.direction.x() > zero { (front, back) } else { (back, front) };
+        let within = |(face, quotient): (R, f64)| {
+            let t = self.t(face, quotient);
+            span.contains(R::root_from(t)).then_some((face, t))
+        };
+        let enters = within(near);
+        let Some((face, t)) = enters.or_else(|| within(far)) else { return Ok(None) };
+        let y = ray.origin.y().into() + t * ray.direction.y().into();
+        let point = R::vec2(face, R::round_from(y));
+        let t = R::root_from(t) + zero; // minus zero is zero
+        Ok(Some(Hit { t, point, normal: wall.normal(&ray, enters.is_none()) }))
     }
 }
 
@@ -113,5 +176,94 @@ mod tests {
         let ray = Ray2::<f64>::new(DVec2::ZERO, DVec2::new(5e-324, 0.0));
         let hit = robust(&ray, &Wall { front: 1e10, back: 2e10 }).hit(Span::ahead()).unwrap().unwrap();
         assert_eq!(hit.point, DVec2::new(1e10, 0.0), "the point is an ordinary one");
+    }
+
+    fn work(origin: f64, direction: f64, wall: Wall<f64>) -> Robust<f64> {
+        robust(&Ray2::<f64>::new(DVec2::new(origin, 0.0), DVec2::new(direction, 1.0)), &wall)
+    }
+
+    #[test]
+    fn both_ways_agree_where_they_meet() {
+        for [inside, outside] in [[1e-100, 0.9e-100], [1e100, 1.1e100]] {
+            for (direction, is_plain) in [(inside, true), (outside, false)] {
+                let wall = Wall { front: 0.1, back: 0.7 };
+                // the origin moved along, so that t itself is an ordinary number
+                let scaled = Wall { front: wall.front * direction, back: wall.back * direction };
+                let work = work(-0.3 * direction, direction, scaled);
+                assert_eq!(work.quotients.is_some(), is_plain, "u_x = {direction:e}");
+                let carefully = careful::faces(&work.ray, &work.wall).unwrap().map(|t| t.rounded::<f64>());
+                assert_eq!([work.t_front().unwrap(), work.t_back().unwrap()], carefully);
+                assert_eq!(work.hit(Span::ahead()), careful::hit(&work.ray, &work.wall, Span::ahead()));
+            }
+        }
+    }
+
+    #[test]
+    fn one_correction_is_the_last_digit() {
+        // by hand: front − p_x = 1 + 2^−54, which rounds to 1; over 3 it is 1/3 + 2^−55.6, and the float
+        // 1/3 is 2^−55.6 too small
+        let [tiny, third] = [2.0_f64.powi(-54), 1.0 / 3.0];
+        let work = work(-tiny, 3.0, Wall { front: 1.0, back: 2.0 });
+        assert_eq!((work.to_faces[0], work.quotients.unwrap()[0]), (1.0, third));
+        assert_eq!(work.t_front(), Some(careful::faces(&work.ray, &work.wall).unwrap()[0].rounded()));
+        assert_eq!(work.t_front(), Some(f64::next_up(third)));
+    }
+
+    #[test]
+    fn all_of_f32_goes_the_plain_way() {
+        let ends = [f32::MAX, 1.0, f32::MIN_POSITIVE, f32::SMALLEST];
+        for x in ends {
+            for u_x in ends {
+                let ray = Ray2::<f32>::new(glam::Vec2::new(-x, 1.0), glam::Vec2::new(-u_x, 1.0));
+                let work = robust(&ray, &Wall { front: x, back: x });
+                assert!(work.quotients.is_some());
+                let exact = careful::faces(&ray, &work.wall).unwrap()[0].rounded();
+                assert_eq!(work.t_front(), Some(exact), "2 · {x:e} / −{u_x:e}");
+                assert_eq!(work.hit(Span::ahead()), Ok(None), "behind");
+            }
+        }
+    }
+
+    #[test]
+    fn touching_is_at_plus_zero() {
+        for direction in [1.0, -1.0] {
+            let touching = work(4.0, direction, Wall { front: 4.0, back: 4.5 });
+            assert_eq!(touching.t_front().map(f64::to_bits), Some(0), "minus zero is zero");
+            assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0);
+        }
+    }
+
+    #[test]
+    fn a_span_need_not_start_at_the_origin() {
+        let behind = work(6.0, 1.0, Wall { front: 4.0, back: 4.5 });
+        let t = |min, max| behind.hit(Span::new(min, max)).unwrap().map(|hit| (hit.t, hit.normal.x));
+        assert_eq!(t(-3.0, 0.0), Some((-2.0, -1.0)), "enters");
+        assert_eq!(t(-1.75, 0.0), Some((-1.5, 1.0)), "leaves");
+        assert_eq!(t(-1.0, 0.0), None);
+    }
+
+    /// The plain way finds what is degenerate by its ranges.
+    #[test]
+    fn no_degenerate_number_passes_in_any_place() {
+        let good = [0.5, 1.0, 0.25, -0.5, 4.0, 4.5];
+        let reason = |[p_x, p_y, u_x, u_y, front, back]: [f64; 6]| {
+            let (origin, direction) = (DVec2::new(p_x, p_y), DVec2::new(u_x, u_y));
+            let found = robust(&Ray2::<f64>::new(origin, direction), &Wall { front, back });
+            let narrow_ray = Ray2::<f32>::new(origin.as_vec2(), direction.as_vec2());
+            let narrow = robust(&narrow_ray, &Wall { front: front as f32, back: back as f32 });
+            let found = found.hit(Span::ahead()).err();
+            assert_eq!(found, narrow.hit(Span::ahead()).err(), "{origin} {direction} {front} {back}");
+            found
+        };
+        assert_eq!(reason(good), None);
+        for place in 0..6 {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut case = good;
+                case[place] = bad;
+                assert_eq!(reason(case), Some(Degenerate::NotFinite), "{bad} in place {place}");
+            }
+        }
+        assert_eq!(reason([0.5, 1.0, 0.0, -0.0, 4.0, 4.5]), Some(Degenerate::ZeroDirection));
+        assert_eq!(reason([0.5, 1.0, 0.25, -0.5, 4.5, 4.0]), Some(Degenerate::FrontBeyondBack));
     }
 }

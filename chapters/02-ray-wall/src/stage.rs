@@ -95,12 +95,8 @@ fn notes_steps<R: Real>(section: &mut Section, work: &Notes<R>) {
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
     section
-        .step(
-            "front − p_x",
-            "to twice the digits",
-            Value::maybe(work.to_faces.map(|[front, _]| front.to_f64())),
-        )
-        .step("back − p_x", "to twice the digits", Value::maybe(work.to_faces.map(|[_, back]| back.to_f64())))
+        .number("front − p_x", "the difference, in f64", work.to_faces[0])
+        .number("back − p_x", "the difference, in f64", work.to_faces[1])
         .step("t_front", "(front − p_x) / u_x", Value::maybe(work.t_front()))
         .step("t_back", "(back − p_x) / u_x", Value::maybe(work.t_back()));
 }
