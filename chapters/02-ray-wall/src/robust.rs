@@ -52,16 +52,21 @@ pub fn robust<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Robust<R> {
     let to_faces = [front - p_x, back - p_x];
     let quotients = to_faces.map(|to_face| to_face / u_x);
 
-    // This refuses what is degenerate as well: an x that is not finite makes a quotient infinite or NaN, and
+    let is_safe = if R::DIGITS < f64::MANTISSA_DIGITS {
+        // No difference or quotient of f32 overflows in f64, or vanishes.
+        (quotients[0] + quotients[1] + u_x + p_y + u_y).is_finite()
+    } else {
+        let is_safe = |to_face: f64, t: f64| SAFE.contains(&t.abs()) || to_face == 0.0;
+        SAFE.contains(&u_x.abs())
+            && is_safe(to_faces[0], quotients[0])
+            && is_safe(to_faces[1], quotients[1])
+            && p_y.abs() <= *SAFE.end()
+            && u_y.abs() <= *SAFE.end()
+    };
+    // Nothing degenerate is safe: u_x = 0 and an x that is not finite show in a quotient, or in u_x, and
     // no comparison holds for NaN.
-    let is_safe = |to_face: f64, t: f64| SAFE.contains(&t.abs()) || to_face == 0.0;
-    let is_plain = SAFE.contains(&u_x.abs())
-        && is_safe(to_faces[0], quotients[0])
-        && is_safe(to_faces[1], quotients[1])
-        && p_y.abs() <= *SAFE.end()
-        && u_y.abs() <= *SAFE.end()
-        && front <= back;
-    Robust { ray: *ray, wall: *wall, to_faces, quotients: is_plain.then_some(quotients) }
+    let quotients = (is_safe && front <= back).then_some(quotients);
+    Robust { ray: *ray, wall: *wall, to_faces, quotients }
 }
 
 /// (face − p_x) / u_x to half a unit of its last digit and hardly more, from the rounded quotient q.
