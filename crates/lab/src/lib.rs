@@ -9,6 +9,7 @@
 
 mod draw;
 pub mod oracle;
+pub mod plot;
 mod regime;
 mod subject;
 mod truth;

@@ -1,0 +1,176 @@
+//! How a time depends on one quantity: a line a method, with its spread.
+
+use stage::Anchor;
+
+use super::axis::{LinearAxis, round_numbers};
+use super::extent::Extent;
+use super::letters::{cut, width, wrapped};
+use super::palette::{DIM, GRID, INK};
+use super::pen::{Letters, Stroke};
+use super::series::{band, line, names_at_the_end};
+use super::svg::Svg;
+
+/// What is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinePlot {
+    /// The heading.
+    pub title: String,
+    /// A line below it: the machine, the build, how many rays.
+    pub subtitle: String,
+    /// The title of the horizontal axis, with its unit: "share of rays that hit (%)".
+    pub x_title: String,
+    /// The title of the vertical axis, with its unit: "ns per ray".
+    pub y_title: String,
+    /// The lines.
+    pub series: Vec<Series>,
+    /// What it shows, in a sentence below the plot.
+    pub conclusion: String,
+}
+
+/// One line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// The method.
+    pub name: String,
+    /// Its points (x, y, low, high) from left to right: the median and, say, the quartiles. A point that
+    /// is not finite is left out.
+    pub points: Vec<(f64, f64, f64, f64)>,
+}
+
+pub(super) const WIDTH: f64 = 1280.0;
+const HEIGHT: f64 = 760.0;
+const MARGIN: f64 = 40.0;
+/// The size of the names of lines.
+pub(super) const LABEL: f64 = 17.0;
+
+/// Lines over a linear horizontal axis as an SVG of a slide's shape; the vertical axis starts at 0, so
+/// that heights can be compared.
+pub fn lines_svg(plot: &LinePlot) -> String {
+    let series: Vec<Series> = plot.series.iter().map(finite).collect();
+    let mut svg = Svg::new((WIDTH, HEIGHT), &plot.title);
+    let limit = WIDTH - 2.0 * MARGIN;
+    svg.text((MARGIN, 66.0), Letters::new(32.0, INK).bold(true), &cut(&plot.title, 33.0, limit));
+    svg.text((MARGIN, 97.0), Letters::new(17.0, DIM), &cut(&plot.subtitle, 17.0, limit));
+    let conclusion = wrapped(&plot.conclusion, 20.0, limit, 2);
+    for (i, line) in conclusion.iter().enumerate() {
+        let y = HEIGHT - 30.0 - 27.0 * (conclusion.len() - 1 - i) as f64;
+        svg.text((MARGIN, y), Letters::new(20.0, INK), line);
+    }
+
+    let names = series.iter().map(|series| width(&series.name, LABEL) * 1.1).fold(0.0, f64::max);
+    let right = WIDTH - MARGIN - names.min(WIDTH / 3.0) - 30.0;
+    let bottom = HEIGHT - 110.0 - 27.0 * conclusion.len() as f64;
+    let frame = Extent { left: MARGIN + 50.0, top: 150.0, right, bottom };
+    let (x, y) = axes(&series, frame);
+    grid(&mut svg, plot, frame, &x, &y);
+    for (i, series) in series.iter().enumerate() {
+        band(&mut svg, series, i, &x, &y);
+    }
+    for (i, series) in series.iter().enumerate() {
+        line(&mut svg, series, i, &x, &y);
+    }
+    names_at_the_end(&mut svg, &series, frame, &x, &y);
+    svg.finish()
+}
+
+fn finite(series: &Series) -> Series {
+    let is_finite =
+        |point: &&(f64, f64, f64, f64)| [point.0, point.1, point.2, point.3].iter().all(|x| x.is_finite());
+    Series { name: series.name.clone(), points: series.points.iter().filter(is_finite).copied().collect() }
+}
+
+/// The axes: the horizontal one over all x, the vertical one from 0 to a little above all y.
+fn axes(series: &[Series], frame: Extent) -> (LinearAxis, LinearAxis) {
+    let points = || series.iter().flat_map(|series| &series.points);
+    let left = points().map(|point| point.0).fold(f64::INFINITY, f64::min);
+    let right = points().map(|point| point.0).fold(f64::NEG_INFINITY, f64::max);
+    let top = points().map(|point| point.1.max(point.3)).fold(0.0, f64::max);
+    let x = if left < right {
+        (left, right)
+    } else if left == right {
+        (left - 1.0, left + 1.0)
+    } else {
+        (0.0, 100.0)
+    };
+    let top = if top > 0.0 { (1.06 * top).min(f64::MAX) } else { 1.0 };
+    (
+        LinearAxis { ends: x, places: (frame.left, frame.right) },
+        LinearAxis { ends: (0.0, top), places: (frame.bottom, frame.top) },
+    )
+}
+
+fn grid(svg: &mut Svg, plot: &LinePlot, frame: Extent, x: &LinearAxis, y: &LinearAxis) {
+    let numbers = Letters::new(15.0, DIM);
+    for number in round_numbers(y.ends.0, y.ends.1, 6) {
+        let at = y.at(number);
+        svg.line((frame.left, at), (frame.right, at), Stroke::solid(GRID, 1.0));
+        svg.text((frame.left - 10.0, at + 5.0), numbers.at(Anchor::Right), &short(number));
+    }
+    for number in round_numbers(x.ends.0, x.ends.1, 10) {
+        let at = x.at(number);
+        svg.line((at, frame.bottom), (at, frame.bottom + 6.0), Stroke::solid(DIM, 1.2));
+        svg.text((at, frame.bottom + 24.0), numbers.at(Anchor::Middle), &short(number));
+    }
+    svg.line((frame.left, frame.bottom), (frame.right, frame.bottom), Stroke::solid(DIM, 1.4));
+    let titles = Letters::new(17.0, DIM);
+    // level, not upward: it is read without turning the head
+    svg.text((MARGIN, frame.top - 18.0), titles, &plot.y_title);
+    let middle = (frame.left + frame.right) / 2.0;
+    svg.text((middle, frame.bottom + 50.0), titles.at(Anchor::Middle), &plot.x_title);
+}
+
+/// A round number without the last digits of its binary fraction.
+fn short(number: f64) -> String {
+    if number != 0.0 && !(1e-3..1e7).contains(&number.abs()) {
+        return format!("{number:e}").replace('-', "−");
+    }
+    let text = format!("{number:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    text.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::xml::tests::assert_well_formed;
+    use super::*;
+
+    fn plot(series: Vec<Series>) -> LinePlot {
+        let text = |text: &str| text.to_owned();
+        LinePlot {
+            title: text("t < 0 & \"all\""),
+            subtitle: text("s"),
+            x_title: text("x (%)"),
+            y_title: text("ns"),
+            series,
+            conclusion: text("It is <so>."),
+        }
+    }
+
+    #[test]
+    fn nothing_and_what_is_no_number_do_not_break_it() {
+        let (nan, inf) = (f64::NAN, f64::INFINITY);
+        let one = Series { name: "a<b".to_owned(), points: vec![(50.0, 3.0, 2.0, 4.0)] };
+        let bad = Series { name: String::new(), points: vec![(nan, 1.0, 1.0, 1.0), (1.0, inf, 0.0, inf)] };
+        let zero = Series { name: "0".to_owned(), points: vec![(0.0, 0.0, 0.0, 0.0); 2] };
+        for series in [vec![], vec![one.clone()], vec![bad.clone()], vec![zero.clone()], vec![one, bad, zero]]
+        {
+            let document = lines_svg(&plot(series));
+            assert_well_formed(&document);
+            assert!(!document.contains("NaN") && !document.contains("inf"));
+        }
+    }
+
+    #[test]
+    fn the_vertical_axis_starts_at_zero() {
+        let frame = Extent { left: 0.0, top: 0.0, right: 100.0, bottom: 106.0 };
+        let series =
+            [Series { name: String::new(), points: vec![(0.0, 8.0, 7.0, 10.0), (100.0, 5.0, 5.0, 5.0)] }];
+        let (x, y) = axes(&series, frame);
+        assert_eq!([x.at(0.0), x.at(25.0), x.at(100.0)], [0.0, 25.0, 100.0]);
+        let heights = [0.0, 5.0, 10.0].map(|ns| y.at(ns));
+        assert!(
+            heights.iter().zip([106.0, 56.0, 6.0]).all(|(got, want)| (got - want).abs() < 1e-9),
+            "{heights:?}"
+        );
+    }
+}
