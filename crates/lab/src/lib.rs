@@ -14,7 +14,7 @@ mod regime;
 mod subject;
 mod truth;
 
-pub use draw::Draw;
+pub use draw::{Draw, Vec2, Vec3};
 pub use regime::{Notes, Regime};
 pub use subject::{Answer, Outcome, Pass, Runner, Subject};
 pub use truth::{Root, Truth};

@@ -17,6 +17,17 @@ pub struct Regime<const N: usize> {
     pub notes: Notes,
 }
 
+impl<const N: usize> Regime<N> {
+    /// Its cases from a seed, as many as one takes, every number rounded to the precision.
+    pub fn cases(&self, seed: u64, precision: Precision) -> impl Iterator<Item = [f64; N]> {
+        let (mut source, draw) = (Draw::new(seed, self.name, precision), self.draw);
+        std::iter::repeat_with(move || {
+            let case = draw(&mut source);
+            case.map(|number| source.rounded(number))
+        })
+    }
+}
+
 /// What becomes of the notes' methods in a regime; a test holds them to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notes {
