@@ -17,8 +17,12 @@ pub mod gambetta;
 pub mod house;
 pub mod letter;
 #[cfg(feature = "stage")]
+mod measure;
+#[cfg(feature = "stage")]
 mod picture;
 pub mod projection;
+#[cfg(feature = "stage")]
+mod report;
 #[cfg(feature = "stage")]
 pub mod stage;
 

@@ -8,9 +8,13 @@
 //! every number on the way, whose `hit(span)` is the answer. What the page leaves open (a ray that starts
 //! inside, points away, or runs along a face) is decided in [`Crossing`].
 
+#[cfg(feature = "stage")]
+mod measure;
 pub mod notes;
 #[cfg(feature = "stage")]
 mod picture;
+#[cfg(feature = "stage")]
+pub mod regimes;
 pub mod robust;
 #[cfg(feature = "stage")]
 pub mod stage;

@@ -1,9 +1,11 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Ray2, Real, Span, Vector};
-use stage::{About, Ask, Case, Chapter, Error, Row, Section, Shown, Transcript, Value};
+use stage::{About, Ask, Case, Chapter, Error, Row, Section, Shown, TradeAsk, Traded, Transcript, Value};
 
+use crate::measure::question;
 use crate::picture::{self, wall_of};
+use crate::regimes::regimes;
 use crate::{Crossing, Method, Notes, Robust, Wall, Working};
 
 /// House's wall.
@@ -29,6 +31,10 @@ impl Chapter for RayWall {
                       p_r to the point of the plane under it.",
             inputs: &["ox", "oy", "dx", "dy", "front", "back"],
             results: &["hit", "t", "t_out", "x", "y", "reason"],
+            trade: "House's division against the one that is rounded once, in regimes from ordinary numbers to \
+                    their ends: nanoseconds a ray, wrong verdicts, and how far t and the point are off. Draws the \
+                    two against each other, a panel a regime (trade.svg).",
+            regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
         }
     }
 
@@ -50,9 +56,8 @@ impl Chapter for RayWall {
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        let [ox, oy, dx, dy, front, back] = case.numbers::<R, 6>()?;
-        let ray = Ray2::<R>::new(R::vec2(ox, oy), R::vec2(dx, dy));
-        let work = Method::ALL[ask.method].work(&ray, &Wall { front, back });
+        let (ray, wall) = question(case.numbers::<R, 6>()?);
+        let work = Method::ALL[ask.method].work(&ray, &wall);
         Ok(match (work.hit(Span::ahead()), work.crossing()) {
             (Ok(Some(hit)), Crossing::Through(roots)) => Row::hit()
                 .number("t", hit.t)
@@ -62,6 +67,10 @@ impl Chapter for RayWall {
             (Ok(_), _) => Row::miss(""),
             (Err(degenerate), _) => Row::invalid(degenerate.reason()),
         })
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        Ok(lab::measure(self, ask)?.traded("Ray against wall: speed for accuracy"))
     }
 }
 

@@ -8,10 +8,16 @@
 //! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain.
 
 pub mod ground;
+#[cfg(feature = "stage")]
+mod map;
+#[cfg(feature = "stage")]
+mod measure;
 pub mod notes;
 pub mod parallel;
 #[cfg(feature = "stage")]
 mod picture;
+#[cfg(feature = "stage")]
+pub mod regimes;
 pub mod robust;
 pub mod signed_distance;
 #[cfg(feature = "stage")]

@@ -1,10 +1,12 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Parallel, Ray3, Real, Span};
-use stage::{About, Ask, Case, Chapter, Error, Row, Section, Shown, Transcript, Value};
+use stage::{About, Ask, Case, Chapter, Error, Row, Section, Shown, TradeAsk, Traded, Transcript, Value};
 
 use crate::ground::{camera, ground, pixel_ray};
-use crate::{Meeting, Method, Notes, Plane, Robust, Working, picture, signed_distance};
+use crate::measure::question;
+use crate::regimes::regimes;
+use crate::{Meeting, Method, Notes, Plane, Robust, Working, map, picture, signed_distance};
 
 /// The stage `ray-plane`.
 pub struct RayPlane;
@@ -22,6 +24,11 @@ impl Chapter for RayPlane {
                       just below it t grows without bound, and one ray a pixel no longer tells the tiles apart.",
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "px", "py", "pz", "nx", "ny", "nz"],
             results: &["hit", "t", "x", "y", "z", "distance", "reason"],
+            trade: "Equation 4.2 as printed against the one whose dot products are certain, in regimes from ordinary \
+                    numbers to their ends: nanoseconds a ray, wrong verdicts, and how far t and the point are off. \
+                    Draws the two against each other, a panel a regime (trade.svg), and where each loses its digits \
+                    (map.png).",
+            regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
         }
     }
 
@@ -42,9 +49,7 @@ impl Chapter for RayPlane {
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        let [ox, oy, oz, dx, dy, dz, px, py, pz, nx, ny, nz] = case.numbers::<R, 12>()?;
-        let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
-        let plane = Plane { point: R::vec3(px, py, pz), normal: R::vec3(nx, ny, nz) };
+        let (ray, plane) = question(case.numbers::<R, 12>()?);
         let work = Method::ALL[ask.method].work(&ray, &plane);
         let row = match work.hit(Span::ahead()) {
             Ok(Some(hit)) => Row::hit().number("t", hit.t).vector(["x", "y", "z"], hit.point),
@@ -57,6 +62,15 @@ impl Chapter for RayPlane {
         // Where x − p_0 overflows, the notes have no distance to give.
         let distance: f64 = work.distance().into();
         Ok(if distance.is_nan() { row } else { row.number("distance", work.distance()) })
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        let mut traded = lab::measure(self, ask)?.traded("Ray against plane: speed for accuracy");
+        // Where a part is asked for, it would be drawn over that of the whole.
+        if ask.is_for_all() {
+            traded.drawings.push(map::draw(ask)?);
+        }
+        Ok(traded)
     }
 }
 

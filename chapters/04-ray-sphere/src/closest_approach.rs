@@ -33,9 +33,20 @@ pub struct ClosestApproach<R: Real> {
 /// A degenerate ray or sphere gives values that mean nothing; [`ClosestApproach::hit`] refuses them.
 #[inline]
 pub fn closest_approach<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestApproach<R> {
-    let (p_r, c, r) = (ray.origin, sphere.center, sphere.radius);
     let length = ray.direction.length();
-    let u_r = ray.direction / length;
+    along(ray, sphere, length, ray.direction / length)
+}
+
+/// The same for a ray whose direction has length 1, as House's have: nothing is divided, nothing checked.
+#[inline]
+pub fn closest_approach_of_unit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestApproach<R> {
+    along(ray, sphere, R::from(1.0), ray.direction)
+}
+
+/// House's page, for a ray along u_r.
+#[inline]
+fn along<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, length: R, u_r: R::Vec3) -> ClosestApproach<R> {
+    let (p_r, c, r) = (ray.origin, sphere.center, sphere.radius);
 
     // The nearest point to the center is where c − p_r projects onto the ray.
     let t_close = u_r.dot(c - p_r);

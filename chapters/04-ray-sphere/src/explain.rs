@@ -1,10 +1,10 @@
-//! The transcript: one ray against one sphere by one method, and then all four side by side.
+//! The transcript: one ray against one sphere by one method, and then all of them side by side.
 
 use math::{Camera, Degenerate, Ray3, Real, Roots, Span, Vector};
 use stage::{Section, Transcript, Value};
 
 use crate::scene::{self, BACKGROUND, Painted, Tangent, pixel_ray, three_spheres};
-use crate::{ClosestApproach, HalfQuadratic, Method, Quadratic, Robust, Sphere, Working};
+use crate::{Batched, ClosestApproach, HalfQuadratic, Method, Quadratic, Robust, Shortcut, Sphere, Working};
 
 /// The method's own steps, from its own struct.
 pub(crate) fn explain<R: Real>(
@@ -19,8 +19,9 @@ pub(crate) fn explain<R: Real>(
     let sphere = painted.sphere;
     let (source, center) = match method {
         Method::ClosestApproach => ("House 4.4", "c"),
+        Method::Shortcut => ("after House 4.4", "c"),
         Method::Quadratic => ("Gambetta, Listing 2-5", "C"),
-        Method::HalfQuadratic => ("CSC418 11.3.3", "c̄"),
+        Method::HalfQuadratic | Method::Batched => ("CSC418 11.3.3", "c̄"),
         Method::Robust => ("robust.rs", "c"),
     };
     let section = transcript.section(title, source);
@@ -28,8 +29,10 @@ pub(crate) fn explain<R: Real>(
     section.number("r", "radius", sphere.radius);
     match method.work(ray, &sphere) {
         Working::ClosestApproach(work) => closest_approach_steps(section, &work),
+        Working::Shortcut(work) => shortcut_steps(section, &work),
         Working::Quadratic(work) => quadratic_steps(section, &work),
         Working::HalfQuadratic(work) => half_quadratic_steps(section, &work),
+        Working::Batched(work) => batched_steps(section, &work),
         Working::Robust(work) => robust_steps(section, &work),
     }
     if method == Method::HalfQuadratic {
@@ -78,6 +81,49 @@ fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach
     hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t u_r", "(x_hit − c) / r"]);
 }
 
+fn shortcut_steps<R: Real>(section: &mut Section, work: &Shortcut<R>) {
+    let zero = R::from(0.0);
+    let decision = match () {
+        _ if work.a_squared > zero => "a² > 0: enters and leaves",
+        _ if work.a_squared == zero => "a² = 0: touches",
+        _ => "a² < 0: no hit",
+    };
+    section
+        .number("‖D‖", "√(D · D)", work.length)
+        .vector("u_r", "D / ‖D‖", work.u_r)
+        .vector("L", "c − p_r", work.l)
+        .number("t_close", "u_r · L", work.t_close)
+        .number("L · L", "the way to the center, squared", work.l.dot(work.l))
+        .number("t_close²", "the way to x_close, squared", work.t_close * work.t_close)
+        .number("d²", "L · L − t_close²", work.d_squared)
+        .number("a²", "r² − d²", work.a_squared)
+        .note(decision);
+    let Some(roots) = work.roots() else { return };
+    section
+        .step("a", "√a²", Value::maybe(work.a))
+        .number("t", "(t_close − a) / ‖D‖", roots.near)
+        .note("in lengths of D");
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t D", "(x_hit − c) / r"]);
+}
+
+fn batched_steps<R: Real>(section: &mut Section, work: &Batched<R>) {
+    let root = |lambda: R| Value::maybe(work.roots().map(|_| lambda));
+    let missing = if work.roots().is_none() { "√D is not a number, and lies in no span" } else { "" };
+    coefficients(section, &work.ray, [work.a, work.b, work.c, work.d])
+        .note("no branch: both roots are taken whatever D is")
+        .step("λ1", "−B/A + √D/A", root(work.lambda_1))
+        .note(missing)
+        .step("λ2", "−B/A − √D/A", root(work.lambda_2))
+        .note(missing)
+        .remark("One lane. A batch does this for eight rays at once, in the same order, with the bits of half-quadratic.");
+    if work.roots().is_some() {
+        let hit = work.hit(Span::ahead());
+        let by_lambda_1 = hit.is_ok_and(|hit| hit.is_some_and(|hit| hit.t == work.lambda_1));
+        let x_formula = if by_lambda_1 { "ā + λ1 d⃗" } else { "ā + λ2 d⃗" };
+        hit_steps(section, &work.sphere, hit, [x_formula, "(x_hit − c̄) / r"]);
+    }
+}
+
 fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
     let zero = R::from(0.0);
     let decision = match () {
@@ -100,6 +146,22 @@ fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
     hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["O + t D", "(x_hit − C) / r"]);
 }
 
+/// The steps that half-quadratic and batched share, up to the discriminant.
+fn coefficients<'a, R: Real>(
+    section: &'a mut Section,
+    ray: &Ray3<R>,
+    [a, b, c, d]: [R; 4],
+) -> &'a mut Section {
+    section
+        .vector("ā", "where the ray starts", ray.origin)
+        .vector("d⃗", "p̄_ij − ē", ray.direction)
+        .number("A", "d⃗ · d⃗", a)
+        .number("B", "(ā − c̄) · d⃗", b)
+        .number("C", "(ā − c̄) · (ā − c̄) − r²", c)
+        .note("the page has r = 1")
+        .number("D", "B² − A C", d)
+}
+
 fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>) {
     let zero = R::from(0.0);
     let decision = match () {
@@ -107,15 +169,7 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
         _ if work.d == zero => "= 0: the ray grazes the sphere",
         _ => "< 0: no intersections",
     };
-    section
-        .vector("ā", "where the ray starts", work.ray.origin)
-        .vector("d⃗", "p̄_ij − ē", work.ray.direction)
-        .number("A", "d⃗ · d⃗", work.a)
-        .number("B", "(ā − c̄) · d⃗", work.b)
-        .number("C", "(ā − c̄) · (ā − c̄) − r²", work.c)
-        .note("the page has r = 1")
-        .number("D", "B² − A C", work.d)
-        .note(decision);
+    coefficients(section, &work.ray, [work.a, work.b, work.c, work.d]).note(decision);
     if work.lambda_1.is_none() {
         return;
     }
@@ -132,10 +186,10 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
     let vector = |v: [f64; 3]| Value::Array(v.map(Value::F64).to_vec());
     let chord = &work.chord;
-    let decision = match () {
-        _ if chord.half_chord_squared > 0.0 => "a² > 0: enters and leaves",
-        _ if chord.half_chord_squared == 0.0 => "a² = 0: touches",
-        _ => "a² < 0: no hit",
+    let decision = match work.roots() {
+        None => "a² < 0: no hit",
+        Some(roots) if roots.near == roots.far && chord.h == Some(0.0) => "a² = 0: touches",
+        Some(_) => "a² > 0: enters and leaves",
     };
     section
         .step("L", "c − p_r", vector(work.l))
@@ -217,7 +271,7 @@ pub(crate) fn trace_ray<R: Real>(
     section.remark(remark).remark(format!("color: {}", color.to_text()));
 }
 
-/// The same two numbers by four roads, and how their parameters are related.
+/// The same two numbers by every road, and how their parameters are related.
 pub(crate) fn both_roots<R: Real>(transcript: &mut Transcript, ray: &Ray3<R>, painted: &Painted<R>) {
     let title = format!("Both roots of the {} sphere, by every method, in lengths of D", painted.name);
     let rows = Method::ALL.map(|method| {
@@ -295,7 +349,7 @@ pub(crate) fn tangents<R: Real>(
             "In {}. Where V = (col/width − 1/2, …) had to be rounded, the ray is beside the tangent: robust shows on which side.",
             R::NAME
         ))
-        .remark(format!("The pictures of the four methods differ at {pixels}."));
+        .remark(format!("The pictures of the methods differ at {pixels}."));
 }
 
 fn verdict<R: Real>(roots: Option<Roots<R>>) -> &'static str {

@@ -1,10 +1,11 @@
-//! Where does a ray hit a sphere? Four roads to the same two numbers.
+//! Where does a ray hit a sphere? Rival roads to the same two numbers.
 //!
 //! The ray is p_r + t u_r, the sphere ‖x − c‖ = r. [`mod@closest_approach`] is House's geometry: walk to
 //! the point nearest to the center, then back by Pythagoras. [`mod@quadratic`] is Gambetta's algebra: put
 //! the ray into the sphere's equation and solve for t. [`mod@half_quadratic`] is CSC418's, with the
 //! twos divided out. On paper they agree; in floating point each fails somewhere else. [`mod@robust`]
-//! says why, and what to do about it.
+//! says why, and what to do about it. [`mod@shortcut`] is House's way as most programs have it, and
+//! [`mod@batched`] is CSC418's for many rays at once.
 //!
 //! Each method takes a [`Ray3`] and a [`Sphere`] and returns a struct with every number on the way;
 //! its `roots()` are the two crossings and its `hit(span)` the answer. [`Method`] lists them all.
@@ -15,20 +16,30 @@ pub mod closest_approach;
 mod explain;
 pub mod half_quadratic;
 #[cfg(feature = "stage")]
+mod map;
+#[cfg(feature = "stage")]
+mod measure;
+#[cfg(feature = "stage")]
 mod picture;
 pub mod quadratic;
+#[cfg(feature = "stage")]
+pub mod regimes;
+#[cfg(feature = "stage")]
+mod reject;
 pub mod robust;
 pub mod scene;
+pub mod shortcut;
 #[cfg(feature = "stage")]
 pub mod stage;
 
 use math::{Degenerate, Hit, Ray3, Real, Roots, Span, Vector};
 
 pub use batched::{Batched, batched};
-pub use closest_approach::{ClosestApproach, closest_approach};
+pub use closest_approach::{ClosestApproach, closest_approach, closest_approach_of_unit};
 pub use half_quadratic::{HalfQuadratic, half_quadratic};
 pub use quadratic::{Quadratic, quadratic};
 pub use robust::{Robust, robust};
+pub use shortcut::{Shortcut, shortcut};
 
 /// The points at distance `radius` from `center`: ‖x − c‖ = r.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,25 +98,37 @@ impl<R: Real> Sphere<R> {
 pub enum Method {
     /// House 4.4.
     ClosestApproach,
+    /// The same in scalars, as most programs have it.
+    Shortcut,
     /// Gambetta, Listing 2-5.
     Quadratic,
     /// CSC418 11.3.3.
     HalfQuadratic,
-    /// Right where the other three are not.
+    /// The same for many rays at once.
+    Batched,
+    /// Right where the others are not.
     Robust,
 }
 
 impl Method {
     /// Every method, in the order of the notes.
-    pub const ALL: [Method; 4] =
-        [Method::ClosestApproach, Method::Quadratic, Method::HalfQuadratic, Method::Robust];
+    pub const ALL: [Method; 6] = [
+        Method::ClosestApproach,
+        Method::Shortcut,
+        Method::Quadratic,
+        Method::HalfQuadratic,
+        Method::Batched,
+        Method::Robust,
+    ];
 
     /// The name that `--method` takes.
     pub fn name(self) -> &'static str {
         match self {
             Method::ClosestApproach => "closest-approach",
+            Method::Shortcut => "shortcut",
             Method::Quadratic => "quadratic",
             Method::HalfQuadratic => "half-quadratic",
+            Method::Batched => "batched",
             Method::Robust => "robust",
         }
     }
@@ -114,8 +137,10 @@ impl Method {
     pub fn work<R: Real>(self, ray: &Ray3<R>, sphere: &Sphere<R>) -> Working<R> {
         match self {
             Method::ClosestApproach => Working::ClosestApproach(closest_approach(ray, sphere)),
+            Method::Shortcut => Working::Shortcut(shortcut(ray, sphere)),
             Method::Quadratic => Working::Quadratic(quadratic(ray, sphere)),
             Method::HalfQuadratic => Working::HalfQuadratic(half_quadratic(ray, sphere)),
+            Method::Batched => Working::Batched(batched(ray, sphere)),
             Method::Robust => Working::Robust(robust(ray, sphere)),
         }
     }
@@ -126,10 +151,14 @@ impl Method {
 pub enum Working<R: Real> {
     /// By House's method.
     ClosestApproach(ClosestApproach<R>),
+    /// By the scalar shortcut.
+    Shortcut(Shortcut<R>),
     /// By Gambetta's.
     Quadratic(Quadratic<R>),
     /// By CSC418's.
     HalfQuadratic(HalfQuadratic<R>),
+    /// In one lane of a batch.
+    Batched(Batched<R>),
     /// By the robust one.
     Robust(Robust<R>),
 }
@@ -139,8 +168,10 @@ impl<R: Real> Working<R> {
     pub fn roots(&self) -> Option<Roots<R>> {
         match self {
             Working::ClosestApproach(work) => work.roots(),
+            Working::Shortcut(work) => work.roots(),
             Working::Quadratic(work) => work.roots(),
             Working::HalfQuadratic(work) => work.roots(),
+            Working::Batched(work) => work.roots(),
             Working::Robust(work) => work.roots(),
         }
     }
@@ -149,8 +180,10 @@ impl<R: Real> Working<R> {
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::ClosestApproach(work) => work.hit(span),
+            Working::Shortcut(work) => work.hit(span),
             Working::Quadratic(work) => work.hit(span),
             Working::HalfQuadratic(work) => work.hit(span),
+            Working::Batched(work) => work.hit(span),
             Working::Robust(work) => work.hit(span),
         }
     }

@@ -1,4 +1,4 @@
-//! Why the three fail, and what to do about it.
+//! Why the others fail, and what to do about it.
 //!
 //! On paper D = B² − A C decides, and t = (B ± √D)/A. In floating point three things go wrong:
 //!
@@ -17,18 +17,24 @@
 //!
 //! 1. **At once**, in plain `f64`. Most rays miss most spheres, and by far. A ray in `f32` ends here
 //!    nearly always: products of `f32` are exact in `f64`.
-//! 2. **Corrected.** t_close is rounded, but once it is, P = L − t_close d is an exact question about
-//!    the numbers that are there, and two parts answer it, with the rounding error of L too. P
-//!    then is not quite at right angles to d: P·d / A is what the rounding of t_close left, and
-//!    a² = r² − P·P + (P·d)²/A, summed with twice the digits, is half the chord squared. An error δ in
-//!    a² moves a by at most √δ, so t is good to the last digits even next to a tangent.
+//! 2. **Corrected.** t_close is a rounded number; but with that number P = L − t_close d is exact again, if it is
+//!    computed in two parts ([`math::two_part`]: a number and what its rounding left, twice the digits), with
+//!    the rounding error of L too. P is then not quite at right angles to d: δ = P·d / A is what the rounding of
+//!    t_close left, and a² = r² − P·P + δ P·d, summed in two parts, is half the chord squared. An error ε in a²
+//!    moves a by at most √ε, so t is good to the last digits even next to a tangent.
 //! 3. **Near the surface**, where one of t_close ∓ h cancels, that root comes from the other by Vieta, and
 //!    C, which cancels as well, from a sum with three times the digits.
-//! 4. **Exactly**, in integers as long as it takes, where even that leaves a doubt. The verdict is then
-//!    true, not likely.
+//! 4. **Exactly**, in integers as long as it takes ([`math::exact`]), where even that leaves a doubt. The
+//!    verdict is then true, not likely.
 //!
-//! Squares of 1e±200 overflow or vanish; such a question is [scaled] first, by powers of two. `f32` is
-//! computed in `f64` and rounded at the end.
+//! Squares of 1e±200 overflow or vanish; such a question is scaled first, by powers of two (`scaled.rs`), and then
+//! takes one of these ways. `f32` is computed in `f64` and rounded at the end.
+//!
+//! What this promises for every finite ray and sphere: hit or miss is exact. In `f64`, t is within 8 ulps, near the
+//! surface 9, by the bounds that are derived beside their constants; in tens of millions of rays of every kind more
+//! than 4 was never seen, and a search for the worst ones ended at 6. In `f32` it is within 1. What it costs is told by
+//! `trade`: the first way is for nearly all rays; it is a few times as much near a tangent or the surface, and
+//! microseconds for an exact tie.
 
 mod at_once;
 mod corrected;
@@ -72,16 +78,16 @@ pub struct Chord {
     pub t_close: f64,
     /// P = L − t_close d: from the point of closest approach to the center.
     pub p: [f64; 3],
-    /// P · d / A: what the rounding of t_close left. Zero where it is of no account.
+    /// δ = P · d / A: what the rounding of t_close left. Zero where it is of no account.
     pub correction: f64,
-    /// a² = r² − P · P + (P · d)² / A, the square of half the chord: its sign is the verdict. NaN for a
-    /// degenerate ray or sphere.
+    /// a² = r² − P · P + δ P · d, the square of half the chord: negative for a miss, unless it
+    /// is too small for a number (`roots` tells). NaN for a degenerate ray or sphere.
     pub half_chord_squared: f64,
     /// h = √(a² / A), half the chord in lengths of the direction. `None` for a miss.
     pub h: Option<f64>,
     /// C = L · L − r², where the smaller root was found from it and not from t_close ∓ h.
     pub c: Option<f64>,
-    /// The roots, t_close + (P · d / A ∓ h), or one of them C over A and the other. `None` for a miss.
+    /// The roots, t_close + (δ ∓ h), or one of them C over A and the other. `None` for a miss.
     pub roots: Option<Roots<f64>>,
 }
 
@@ -171,10 +177,10 @@ impl<R: Real> Robust<R> {
     #[inline(always)]
     pub fn roots(&self) -> Option<Roots<R>> {
         let Roots { near, far } = self.chord.roots?;
-        Some(Roots { near: rounded(near), far: rounded(far) })
+        Some(Roots { near: R::root_from(near), far: R::root_from(far) })
     }
 
-    /// The nearest hit in `span`: n = (∓ h d − P) / r, and x is p_r + t d or c + r n, whichever adds the
+    /// The nearest hit in `span`: n = ((δ ∓ h) d − P) / r, and x is p_r + t d or c + r n, whichever adds the
     /// smaller number.
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
@@ -220,14 +226,6 @@ fn point_and_normal(
         false => c[axis] + from_center[axis],
     });
     Some((point, from_center.map(|component| component / r + 0.0))) // minus zero is zero
-}
-
-/// A root in the precision R, except that no negative one becomes zero: what lies behind the origin
-/// of a ray stays behind it.
-#[inline(always)]
-fn rounded<R: Real>(t: f64) -> R {
-    let nearest = R::round_from(t);
-    if t < 0.0 && nearest == R::from(0.0) { -R::SMALLEST } else { nearest }
 }
 
 /// a · b in plain `f64`.

@@ -1,10 +1,12 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Ray3, Real, Span};
-use stage::{About, Ask, Case, Chapter, Error, Row, Shown, Transcript};
+use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript};
 
+use crate::measure::question;
+use crate::regimes::regimes;
 use crate::scene::{Painted, camera, pixel_ray, tangents, three_spheres, trace_ray};
-use crate::{Method, Sphere, explain, picture};
+use crate::{Method, explain, map, picture, reject};
 
 /// The stage `ray-sphere`.
 pub struct RaySphere;
@@ -14,7 +16,7 @@ impl Chapter for RaySphere {
         About {
             number: 4,
             name: "ray-sphere",
-            teaches: "a ray against a sphere, by four roads to the same two numbers",
+            teaches: "a ray against a sphere, by rival roads to the same two numbers",
             notes: "House 4.4; Gambetta \"Ray Meets Sphere\", Listings 2-2 to 2-5; CSC418 11.3.3",
             methods: Method::ALL.map(Method::name).to_vec(),
             size: (540, 540),
@@ -22,6 +24,9 @@ impl Chapter for RaySphere {
                       the right in the corners; the rays that touch a sphere exactly are ringed.",
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"],
             results: &["hit", "t", "t_out", "x", "y", "z", "nx", "ny", "nz", "reason"],
+            trade: "Draws, beside the trade plot, House's claim that rejecting first is faster (reject.svg) and \
+                    where each method dies (map.png).",
+            regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
         }
     }
 
@@ -51,9 +56,7 @@ impl Chapter for RaySphere {
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
-        let [ox, oy, oz, dx, dy, dz, cx, cy, cz, radius] = case.numbers::<R, 10>()?;
-        let ray = Ray3::<R>::new(R::vec3(ox, oy, oz), R::vec3(dx, dy, dz));
-        let sphere = Sphere { center: R::vec3(cx, cy, cz), radius };
+        let (ray, sphere) = question(case.numbers::<R, 10>()?);
         let work = Method::ALL[ask.method].work(&ray, &sphere);
         Ok(match (work.hit(Span::ahead()), work.roots()) {
             (Ok(Some(hit)), Some(roots)) => Row::hit()
@@ -64,6 +67,16 @@ impl Chapter for RaySphere {
             (Ok(_), _) => Row::miss(""),
             (Err(degenerate), _) => Row::invalid(degenerate.reason()),
         })
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        let mut traded = lab::measure(self, ask)?.traded("Ray against sphere: speed for accuracy");
+        // Where a part is asked for, these would be drawn over those of the whole.
+        if ask.is_for_all() {
+            traded.drawings.push(reject::draw(ask));
+            traded.drawings.push(map::draw(ask)?);
+        }
+        Ok(traded)
     }
 }
 

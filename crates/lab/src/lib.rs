@@ -2,19 +2,39 @@
 //!
 //! A chapter hands over its methods, its kinds of case and what is true of a case: a [`Subject`]. The lab draws
 //! the cases of each [`Regime`] from a seed, judges every method at every precision against the exact
-//! [`Truth`], and times them side by side. It knows no chapter and none of their formulas.
+//! [`Truth`], and times them side by side. It knows no chapter and none of their methods.
 //!
-//! Truth comes from [`oracle`], which is not floating point: hit or miss is the sign of an integer.
-//! No method is ever judged by another.
+//! Truth comes from [`oracle`], which derives the concepts once more, from their equations and in integers: hit
+//! or miss is a sign. No method is ever judged by another.
 
+mod accuracy;
+mod angle;
 mod draw;
+mod effort;
+mod map_cells;
+mod measure;
 pub mod oracle;
+mod pareto;
 pub mod plot;
+mod progress;
 mod regime;
+mod report;
+mod speed;
 mod subject;
+pub mod table;
+mod threads;
 mod truth;
+mod verdict;
 
+pub use accuracy::{Accuracy, Judgment, Ulps, judge, ulps};
+pub use angle::{angle, dot};
 pub use draw::{Draw, Vec2, Vec3};
+pub use effort::{Effort, asked_for};
+pub use map_cells::cells;
+pub use measure::{Entry, Measured, MeasuredRegime, WorstCase, measure};
+pub use pareto::front;
+pub use progress::Progress;
 pub use regime::{Notes, Regime};
-pub use subject::{Answer, Outcome, Pass, Runner, Subject};
+pub use speed::{LONGEST_PASS, Nanoseconds, runner, time};
+pub use subject::{Answer, Outcome, Pass, Quality, Runner, Subject};
 pub use truth::{Root, Truth};

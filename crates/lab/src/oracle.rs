@@ -17,14 +17,15 @@
 //! The methods named `robust` fall back on [`math::Exact`], so a slip in it would be repeated by an
 //! oracle that is built on it. The oracle has another crate's integers (dashu-int), and gets to its
 //! answer another way: robust takes twice the digits, bounds their error and rounds at the end; the
-//! oracle has no digits that could be wrong. Of [`math`] it uses the words of the reasons and [`Wide`]
-//! to hand over its result. Its tests put the answers back into the geometry, ‖o + t d − c‖ = r, and do
-//! not ask the formulas that they came from.
+//! oracle has no digits that could be wrong. Of [`math`] it uses the words of the reasons, the names of
+//! the grids, and [`Wide`] to hand over its result. Its tests put the answers back into the geometry,
+//! ‖o + t d − c‖ = r, and do not ask the formulas that they came from.
 //!
 //! [`Wide`]: math::Wide
 
 mod digits;
 mod dyadic;
+mod grid;
 mod plane;
 mod quadratic;
 mod root;
@@ -37,6 +38,7 @@ mod verdict;
 mod wall;
 
 pub use dyadic::Dyadic;
+pub use grid::pixel;
 pub use plane::{exact_plane, plane};
 pub use root::ExactRoot;
 pub use sphere::{exact_sphere, sphere};

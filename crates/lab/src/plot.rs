@@ -32,4 +32,4 @@ mod xml;
 
 pub use lines::{LinePlot, Series, lines_svg};
 pub use map::{Cell, MapAxis, MapPanel, MapPlot, failure_map};
-pub use trade::{Mark, Panel, TradePlot, trade_svg};
+pub use trade::{Mark, Panel, TradePlot, Words, trade_svg};

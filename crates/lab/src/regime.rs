@@ -28,7 +28,8 @@ impl<const N: usize> Regime<N> {
     }
 }
 
-/// What becomes of the notes' methods in a regime; a test holds them to it.
+/// What becomes of the notes' methods in a regime; a test holds them to it. What is said of one precision
+/// leaves the other open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notes {
     /// This method of the notes decides wrongly about hit or miss, at this precision.

@@ -39,7 +39,8 @@ pub fn fast_two_sum(a: f64, b: f64) -> TwoPart {
 /// a · b exactly: the rounded product and its rounding error.
 ///
 /// With fused multiply-add compiled in, the error is one instruction; without, Dekker splits each
-/// factor into halves of 26 bits, whose products are exact. Both give the same two numbers.
+/// factor into halves of 26 bits, whose products are exact. Both give the same two numbers, for factors
+/// in the range named above.
 pub fn two_product(a: f64, b: f64) -> TwoPart {
     let hi = a * b;
     if cfg!(target_feature = "fma") {

@@ -77,8 +77,11 @@ impl Wide {
     }
 }
 
-/// floor(log2 |x|) of a finite nonzero x.
+/// floor(log2 |x|) of a finite x; for zero, that of the smallest number, −1074.
 pub fn exponent_of(x: f64) -> i32 {
+    if x == 0.0 {
+        return -1074;
+    }
     let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
     if biased == 0 { exponent_of(x * power_of_two(64)) - 64 } else { biased - 1023 }
 }

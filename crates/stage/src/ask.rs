@@ -2,7 +2,7 @@
 
 use math::Real;
 
-use crate::{Canvas, Case, Error, Row, Transcript};
+use crate::{Canvas, Case, Error, Row, TradeAsk, Traded, Transcript};
 
 /// A chapter as it is written: all that a new stage has to say.
 pub trait Chapter: Sync {
@@ -18,6 +18,11 @@ pub trait Chapter: Sync {
     ///
     /// [`Error::Request`] where a field is no number, from [`Case::numbers`].
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
+
+    /// Measures the methods and precisions against each other.
+    ///
+    /// [`Error::Request`] where a regime is asked for that there is not.
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error>;
 }
 
 /// A chapter as the commands see it: the precision is part of the request. Every [`Chapter`] is one.
@@ -30,6 +35,9 @@ pub trait Stage: Sync {
 
     /// See [`Chapter::eval`].
     fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
+
+    /// See [`Chapter::trade`].
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error>;
 }
 
 impl<C: Chapter> Stage for C {
@@ -49,6 +57,10 @@ impl<C: Chapter> Stage for C {
             Precision::F32 => Chapter::eval::<f32>(self, ask, case),
             Precision::F64 => Chapter::eval::<f64>(self, ask, case),
         }
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        Chapter::trade(self, ask)
     }
 }
 
@@ -73,6 +85,10 @@ pub struct About {
     pub inputs: &'static [&'static str],
     /// The columns that `eval` writes.
     pub results: &'static [&'static str],
+    /// What `trade` measures and draws, in one or two sentences.
+    pub trade: &'static str,
+    /// The names that `trade --regime` takes and what each is, the ordinary one first.
+    pub regimes: Vec<(&'static str, &'static str)>,
 }
 
 /// One request: which method, at which precision, about which pixel of a picture of which size.

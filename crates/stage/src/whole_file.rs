@@ -58,6 +58,16 @@ pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result
     })
 }
 
+/// Whether files can be written beside `path`: for a long task, to find out before it is done. Nothing is
+/// left behind.
+///
+/// [`Error::Failed`] as [`write_whole`] would give it.
+pub fn try_beside(path: &Path) -> Result<(), Error> {
+    let unfinished = unfinished_name(path);
+    let tried = File::create(&unfinished).and_then(|_| fs::remove_file(&unfinished));
+    tried.map_err(|error| Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error))))
+}
+
 /// `.PID-N.part` beside the file: hidden, and neither another process nor another thread uses it.
 fn unfinished_name(path: &Path) -> PathBuf {
     static WRITTEN: AtomicU32 = AtomicU32::new(0);
@@ -107,6 +117,16 @@ mod tests {
         assert!(result.unwrap_err().to_string().contains("the disk is full"));
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn trying_leaves_nothing() {
+        let folder = folder("tried");
+        try_beside(&folder.join("a.txt")).unwrap();
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+        let error = try_beside(&folder.join("nowhere/a.txt")).unwrap_err();
+        assert!(error.to_string().contains("there is no folder"), "{error}");
         fs::remove_dir_all(folder).unwrap();
     }
 

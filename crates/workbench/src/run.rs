@@ -109,7 +109,7 @@ fn print(finished: &[Finished], gallery: &Path, output: &mut dyn Write) -> io::R
 mod tests {
     use std::fs;
 
-    use stage::{Ask, Case, Row, Shown};
+    use stage::{Ask, Case, Row, Shown, TradeAsk, Traded};
 
     use super::*;
     use crate::stages;
@@ -158,6 +158,10 @@ mod tests {
         }
 
         fn eval(&self, _: &Ask, _: &Case<'_>) -> Result<Row, Error> {
+            Err(Error::Failed(self.0.to_string()))
+        }
+
+        fn trade(&self, _: &TradeAsk) -> Result<Traded, Error> {
             Err(Error::Failed(self.0.to_string()))
         }
     }

@@ -9,6 +9,7 @@ use lab::oracle::{Dyadic, ExactRoot, Verdict, exact_plane, exact_sphere, exact_w
 use stage::{Precision, Stage};
 use tests::{Folder, STAGES};
 
+use crate::bars::Bars;
 use crate::draw::Draw;
 use crate::exact::{Answer, answers, assert_none, number};
 
@@ -145,6 +146,7 @@ fn what_robust_decides_is_true() {
     let mut failures = Vec::new();
     for stage in STAGES.iter().filter(|stage| stage.about().methods.contains(&"robust")) {
         let about = stage.about();
+        let bars = Bars::of(about.name);
         let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
         failures.extend(faults(*stage, &["robust"], |answer, _, precision| {
             let case = case(answer, about.inputs, precision);
@@ -154,7 +156,7 @@ fn what_robust_decides_is_true() {
                 Verdict::Miss(reason) | Verdict::Invalid(reason) => reason,
             };
             *seen.entry((precision.name(), what)).or_default() += 1;
-            untrue(answer, &verdict, precision, bar(about.name, precision))
+            untrue(answer, &verdict, precision, bars.promised(precision))
         }));
         // A sweep that does not meet every verdict proves nothing.
         let has_parallels = about.name != "ray-sphere";
@@ -166,14 +168,6 @@ fn what_robust_decides_is_true() {
         }
     }
     assert_none(failures);
-}
-
-/// The most that a parameter of `robust` may be off, in ulps: what its error bound allows.
-fn bar(stage: &str, precision: Precision) -> u64 {
-    match (stage, precision) {
-        ("ray-sphere", Precision::F64) => 8,
-        _ => 1,
-    }
 }
 
 /// The exact answer to a case.

@@ -24,6 +24,10 @@ const REQUESTS: &[(&[&str], i32)] = &[
     (&["eval", "--method", "guess"], 2),
     (&["--precision", "f16"], 2),
     (&["--format", "yaml"], 2),
+    (&["--format", "csv"], 2),
+    (&["--format", "csv", "show"], 2),
+    (&["show", "--format", "csv"], 2),
+    (&["eval", "--format", "csv"], 2),
     (&["--size", "0x0"], 2),
     (&["--size", "640x0"], 2),
     (&["--size", "100000000x100000000"], 2),
@@ -75,11 +79,34 @@ fn a_file_named_out_is_in_the_way_of_the_folder() {
     for stage in STAGES {
         let folder = Folder::new();
         folder.put("out", "a regular file");
-        let run = run(folder.path(), stage.about().name, &[]);
+        for args in [&[][..], &["trade"]] {
+            let run = run(folder.path(), stage.about().name, args);
+            assert_eq!((run.status, run.output.as_str()), (1, ""));
+            assert!(run.errors.starts_with("error: cannot make the folder out"), "{}", run.errors);
+            assert!(run.errors.contains("--out"), "what would help: {}", run.errors);
+            assert_eq!(folder.names(), ["out"]);
+        }
+    }
+}
+
+/// What was measured is printed, and the other drawings are there.
+#[test]
+fn a_drawing_that_cannot_be_written_costs_no_numbers() {
+    for stage in STAGES {
+        let about = stage.about();
+        let folder = Folder::new();
+        std::fs::create_dir(folder.path().join("picture-trade.svg")).unwrap();
+        let args =
+            ["trade", "--quick", "--cases", "1", "--regime", about.regimes[0].0, "--out", "picture.png"];
+        let run = run(folder.path(), about.name, &args);
         assert_eq!(run.status, 1);
-        assert!(run.errors.contains("cannot make the folder out"), "{}", run.errors);
-        assert!(run.errors.contains("--out"), "what would help: {}", run.errors);
-        assert_eq!(folder.names(), ["out"]);
+        assert!(run.errors.starts_with("error: cannot write picture-trade.svg: "), "{}", run.errors);
+        assert!(run.output.contains("\nWhat to take"), "{}", run.output);
+        let mut listed: Vec<&str> =
+            run.output.lines().filter_map(|line| line.strip_prefix("drawing: ")).collect();
+        listed.push("picture-trade.svg");
+        listed.sort_unstable();
+        assert_eq!(listed, folder.names());
     }
 }
 

@@ -46,6 +46,22 @@ fn flags_stand_before_or_after_the_verb() {
 }
 
 #[test]
+fn flags_of_trade_stand_before_or_after_the_verb_too() {
+    for stage in STAGES {
+        let (folder, about) = (Folder::new(), stage.about());
+        let flags = ["--format", "csv", "--method", about.methods[1], "--precision", "f64", "--out", "a.png"];
+        let own = ["trade", "--quick", "--cases", "20", "--regime", about.regimes[0].0];
+        for args in [[flags.as_slice(), &own].concat(), [own.as_slice(), &flags].concat()] {
+            let run = run(folder.path(), about.name, &args);
+            assert_eq!((run.status, run.errors.as_str()), (0, ""), "{args:?}");
+            let lines: Vec<&str> = run.output.lines().collect();
+            let record = format!("{},f64,{},", about.methods[1], about.regimes[0].0);
+            assert!(lines.len() == 2 && lines[1].starts_with(&record), "{args:?}: {}", run.output);
+        }
+    }
+}
+
+#[test]
 fn a_new_picture_takes_the_place_of_the_old_one() {
     for stage in STAGES {
         let (folder, name) = (Folder::new(), stage.about().name);

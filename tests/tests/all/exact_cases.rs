@@ -1,4 +1,4 @@
-//! Every method against the case files of exact answers: what `robust` promises, and what the notes'
+//! Every method against the case files of exact answers: what `robust` keeps to, and what the notes'
 //! methods lose.
 
 use std::collections::BTreeMap;
@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use stage::Precision;
 use tests::{STAGES, stage_named};
 
+use crate::bars::Bars;
 use crate::exact::{Answer, answers, assert_none, case_file};
 
 /// A stage with exact answers, and what its method `robust` promises about them.
@@ -13,23 +14,22 @@ struct Promise {
     stage: &'static str,
     /// The parameters of a hit.
     parameters: &'static [&'static str],
-    /// The most that they may be off, in ulps of f32 and of f64.
-    bars: [u64; 2],
     /// How far a point is from the surface, and the size of the numbers it was computed from.
     residual: fn(answer: &Answer, point: [f64; 3]) -> (f64, f64),
 }
 
 impl Promise {
+    /// The most that the parameters may be off, in ulps: what is seen of these cases, which is less than
+    /// what the method promises of all.
     fn bar(&self, precision: Precision) -> u64 {
-        self.bars[usize::from(precision == Precision::F64)]
+        Bars::of(self.stage).seen(precision)
     }
 }
 
 const PROMISES: &[Promise] = &[
-    Promise { stage: "ray-wall", parameters: &["t", "t_out"], bars: [1, 1], residual: from_the_wall },
-    Promise { stage: "ray-plane", parameters: &["t"], bars: [1, 2], residual: from_the_plane },
-    // The error bound that `robust` works by allows 8; this is the most that was ever seen.
-    Promise { stage: "ray-sphere", parameters: &["t", "t_out"], bars: [1, 4], residual: from_the_sphere },
+    Promise { stage: "ray-wall", parameters: &["t", "t_out"], residual: from_the_wall },
+    Promise { stage: "ray-plane", parameters: &["t"], residual: from_the_plane },
+    Promise { stage: "ray-sphere", parameters: &["t", "t_out"], residual: from_the_sphere },
 ];
 
 /// x − front or x − back, whichever face is nearer.
@@ -100,6 +100,22 @@ fn fault(answer: &Answer, promise: &Promise, precision: Precision) -> Option<Str
         }),
         "invalid" => got.text("reason").is_empty().then(|| "no reason is given".to_string()),
         _ => (got.text("reason") != want.text("reason")).then(|| differ("reason")),
+    }
+}
+
+/// The bars are not wider than they need be.
+#[test]
+fn what_is_seen_of_robust_is_the_bar() {
+    for (promise, precision) in promises() {
+        let answers = own_answers(promise.stage, "robust", precision);
+        let hits = answers.iter().filter(|answer| answer.is_hit());
+        let ulps = hits.flat_map(|hit| promise.parameters.iter().map(|column| hit.ulps(column, precision)));
+        let (stage, precision_name) = (promise.stage, precision.name());
+        assert_eq!(
+            ulps.max(),
+            Some(promise.bar(precision)),
+            "{stage} {precision_name}: the bar is in bars.rs"
+        );
     }
 }
 

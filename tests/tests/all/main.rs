@@ -3,6 +3,7 @@
 mod any_bits;
 mod bad_cases;
 mod bad_requests;
+mod bars;
 mod cases;
 mod commands;
 mod draw;
@@ -14,7 +15,10 @@ mod pictures;
 mod pipes;
 mod process;
 mod readme;
+mod regimes;
+mod trade;
 mod transcripts;
+mod who_loses_more;
 mod workbench;
 
 /// Compares a text with the committed `snapshots/NAME.snap`.

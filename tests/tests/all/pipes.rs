@@ -17,6 +17,12 @@ fn run_unread(mut command: Command) -> Run {
     Run::of(command.stdout(writer).output().unwrap())
 }
 
+/// A `trade` over one case of one regime.
+fn small_trade(stage: &dyn Stage) -> [&'static str; 8] {
+    let first = stage.about().regimes[0].0;
+    ["trade", "--quick", "--cases", "1", "--regime", first, "--out", "measured.png"]
+}
+
 /// More rows than any buffer holds.
 fn many_cases(stage: &dyn Stage) -> String {
     format!("{}\n{}", header(stage), format!("{}\n", plain_row(stage)).repeat(20_000))
@@ -31,12 +37,16 @@ fn a_reader_that_goes_away_is_no_error() {
             &["--size", "64x48", "--out", "picture.png"][..],
             &["--size", "64x48", "--out", "picture.png", "--format", "json"],
             &["eval", "--cases", "cases.csv"],
+            &small_trade(*stage),
             &["--help"],
         ] {
             let run = run_unread(command(folder.path(), name, args));
             assert_eq!((run.status, run.errors.as_str()), (0, ""), "{name} {args:?}");
         }
-        assert_eq!(folder.names(), ["cases.csv", "picture.png"]);
+        let (drawings, others): (Vec<String>, Vec<String>) =
+            folder.names().into_iter().partition(|name| name.starts_with("measured-"));
+        assert!(drawings.contains(&"measured-trade.svg".to_string()), "{drawings:?}");
+        assert_eq!(others, ["cases.csv", "picture.png"]);
         assert!(image::open(folder.path().join("picture.png")).is_ok(), "the picture is whole");
     }
 }
@@ -62,6 +72,10 @@ fn an_error_is_an_error_even_if_nobody_reads_the_output() {
         assert_eq!(run.status, 2);
         let run = run_unread(command(folder.path(), name, &["--out", "missing/picture.png"]));
         assert_eq!(run.status, 1);
+        std::fs::create_dir(folder.path().join("measured-trade.svg")).unwrap();
+        let run = run_unread(command(folder.path(), name, &small_trade(*stage)));
+        assert_eq!(run.status, 1);
+        assert!(run.errors.starts_with("error: cannot write measured-trade.svg: "), "{}", run.errors);
     }
 }
 
@@ -71,7 +85,11 @@ fn output_that_does_not_fit_is_a_failure() {
     for stage in STAGES {
         let (folder, name) = (Folder::new(), stage.about().name);
         folder.put("cases.csv", many_cases(*stage));
-        for args in [&["--size", "64x48", "--out", "picture.png"][..], &["eval", "--cases", "cases.csv"]] {
+        for args in [
+            &["--size", "64x48", "--out", "picture.png"][..],
+            &["eval", "--cases", "cases.csv"],
+            &small_trade(*stage),
+        ] {
             let full = File::options().write(true).open("/dev/full").unwrap();
             let run = Run::of(command(folder.path(), name, args).stdout(full).output().unwrap());
             assert_eq!(run.status, 1, "{name} {args:?}");

@@ -7,10 +7,14 @@
 //! Both give the same bits, as each lane is rounded as a number by itself would be. Fused multiply-add,
 //! which most processors with AVX2 have as well, is not asked for: it rounds once where the formula
 //! rounds twice.
+//!
+//! Neither may be inlined. Nothing that a function is given overlaps with what it is given as `&mut`, so
+//! that it may read many rays before it writes an answer. The compiler knows that of a function's own
+//! arguments, and forgets it in the caller: there it would go ray by ray.
 
 use math::{Real, Span};
 
-use super::{Packet, PacketHits, first_hits};
+use super::packet::{Packet, PacketHits, first_hits};
 
 /// Which of the compiled versions to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +38,7 @@ pub(super) fn run<R: Real>(
     }
 }
 
+#[inline(never)]
 fn baseline<R: Real>(packets: &[Packet<R>], span: Span<R>, hits: &mut [PacketHits<R>]) {
     every_packet(packets, span, hits);
 }
@@ -41,6 +46,7 @@ fn baseline<R: Real>(packets: &[Packet<R>], span: Span<R>, hits: &mut [PacketHit
 #[cfg(target_arch = "x86_64")]
 #[expect(unsafe_code, reason = "to call what is compiled for AVX2 from what is not")]
 fn best<R: Real>(packets: &[Packet<R>], span: Span<R>, hits: &mut [PacketHits<R>]) {
+    #[inline(never)]
     #[target_feature(enable = "avx2")]
     fn avx2<R: Real>(packets: &[Packet<R>], span: Span<R>, hits: &mut [PacketHits<R>]) {
         every_packet(packets, span, hits);
@@ -63,6 +69,6 @@ fn best<R: Real>(packets: &[Packet<R>], span: Span<R>, hits: &mut [PacketHits<R>
 #[inline(always)]
 fn every_packet<R: Real>(packets: &[Packet<R>], span: Span<R>, hits: &mut [PacketHits<R>]) {
     for (packet, hits) in packets.iter().zip(hits) {
-        *hits = first_hits(packet, span);
+        first_hits(packet, span, hits);
     }
 }

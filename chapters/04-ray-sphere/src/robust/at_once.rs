@@ -1,8 +1,17 @@
 //! The first way of [`robust`](super): House's closest approach in plain `f64`, with its error bound.
 //!
-//! With u = 2^−53, the error of one operation, t_close is within 8u ‖L‖/‖d‖, and so P within 11u ‖L‖, and
-//! r² − P·P within 40u of L·L + r². That is enough for the verdict of most rays, and for every digit of an
-//! `f32`. For the digits of an `f64` the bound is taken apart in [`spoiled`].
+//! With u = 2^−53, the error of one operation, what is computed is off by at most
+//!
+//! | number | of | because |
+//! | --- | --- | --- |
+//! | B = L · d | 4u ‖L‖ ‖d‖ | L is rounded, then three products and two sums |
+//! | A = d · d | 3u A | three products and two sums |
+//! | t_close = B · (1/A) | 9u ‖L‖/‖d‖ | the two, a quotient and a product |
+//! | P = L − t_close d | 12u ‖L‖ | t_close, a product and a difference |
+//! | r² − P · P | 40u (L·L + r²) | twice ‖P‖ times that, and its own rounding |
+//!
+//! That is enough for the verdict of most rays, and for every digit of an `f32`. For the digits of an `f64` the
+//! bound is taken apart in [`spoiled`].
 
 use math::{Real, TwoPart};
 
@@ -31,7 +40,8 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 const ERROR: f64 = 64.0 * UNIT;
 /// What the error of t may be of t, where t is an `f64`: at most eight units of its last digit.
 const OF_T: f64 = 7.5 * UNIT;
-/// What the error of the normal may be: a 20 000th of the last digit of an `f32`, of an angle.
+/// What the error of the normal may be, as an angle: a 500 000th of the last digit of an `f32`. (The other ways are
+/// a hundred times better; here it would cost the ray a second look.)
 const OF_NORMAL: f64 = 1024.0 * UNIT;
 /// Between these, neither a square nor the errors of its products overflow or vanish.
 const SAFE_SQUARE: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
@@ -43,7 +53,12 @@ pub(super) fn chord<R: Real>(l: [TwoPart; 3], d: [f64; 3], r: f64) -> Found {
     let is_f64 = R::DIGITS == f64::MANTISSA_DIGITS;
     let [l, l_error] = [l.map(|part| part.hi), l.map(|part| part.lo)];
     let (a, b, l_l, r_r) = (dot(d, d), dot(l, d), dot(l, l), r * r);
-    if !(r > 0.0 && SAFE_SQUARE.contains(&r_r) && SAFE_SQUARE.contains(&a) && l_l <= *SAFE_SQUARE.end()) {
+    // Squares of an f32 are ordinary numbers as f64. NaN fails either test.
+    let in_range = match is_f64 {
+        true => SAFE_SQUARE.contains(&r_r) && SAFE_SQUARE.contains(&a) && l_l <= *SAFE_SQUARE.end(),
+        false => a > 0.0 && a + (l_l + r_r) < f64::INFINITY,
+    };
+    if !(r > 0.0 && in_range) {
         return Found::OutOfRange;
     }
     let one_over_a = 1.0 / a;
@@ -93,9 +108,19 @@ fn is_enough_for_f64(way: f64, h: f64, r: f64) -> bool {
 
 /// h times the error of either root.
 ///
-/// The error of t_close does not matter, since P · d / A makes up for it. Given t_close, P is within u of
-/// t_close d and 2u of itself; P · d / A within that and 3u ‖P‖ of rounding; a² within 2‖P‖ times the
-/// error of P, and 5u r²; h within that over 2h, and 3.5u h. Their sum is rounded twice.
+/// The error of t_close does not matter, since δ = P · d / A makes up for it. For the t_close that is there, in
+/// lengths of the direction and with ‖P‖ ≤ r:
+///
+/// | number | is off by |
+/// | --- | --- |
+/// | P | u way, its product, and 2u r, its two sums |
+/// | δ | that, and 3u r, its own products and sums: u way + 5u r |
+/// | a² | 2r times the error of P, and 5u r²: 2u way r + 9u r² |
+/// | h | that over 2h, and 3.5u h, from A, 1/A, a product and the root |
+/// | t = t_close + (δ ∓ h) | all that, ½u h and ½u (way + h), its two sums |
+///
+/// With h ≤ r the sum, times h, is at most what stands below. (That a² leaves out δ P · d, at most 81u² ‖L‖², is of no
+/// account: a² is above [`ERROR`], 64u of it.)
 #[inline(always)]
 fn spoiled(way: f64, h: f64, r: f64) -> f64 {
     UNIT * (h * (1.5 * way + 9.5 * r) + r * (way + 4.5 * r))
@@ -103,8 +128,9 @@ fn spoiled(way: f64, h: f64, r: f64) -> f64 {
 
 /// Whether t and the normal are good to a quarter of the last digit of an `f32`, 2^−26.
 ///
-/// With S = L·L + r² and half the chord a, a root is within 40u S/a, as a length, and the inner root is at
-/// least |L·L − r²| / √2S; the normal is within 40u S/(a r). 57 · 2^−53 · 2^26 is less than 2^−21.
+/// With S = L·L + r² and half the chord a, a root is within 40u S/a, as a length: the error of a² over 2a, and
+/// that of t_close. The product of the roots is |L·L − r²|, and the outer one at most √2S, so the inner is at
+/// least |L·L − r²| / √2S. The normal is within 40u S/(a r). And 40 √2 · 2^−53 · 2^26 is less than 2^−21.
 #[inline(always)]
 fn is_enough_for_f32(half_chord_squared: f64, l_l: f64, r_r: f64) -> bool {
     const SHARE: f64 = 1.0 / (1u64 << 42) as f64; // (2^−21)²

@@ -1,8 +1,8 @@
 //! The second way of [`robust`](super): for the t_close that is there, P and a² with twice the digits.
 //!
 //! With u = 2^−53: the components of P are within 5u² ‖L‖. P · d is computed from their leading parts, and so
-//! within 4u ‖d‖ ‖P‖ of a number of at most 8u ‖d‖ ‖L‖, which leaves 64u² ‖L‖ ‖P‖ in (P · d)² / A. Together
-//! 74u² ‖L‖ ‖P‖, and some ten roundings of lower parts, u² of r² + P·P each.
+//! within 4u ‖d‖ ‖P‖ of a number of at most 9u ‖d‖ ‖L‖, which leaves 88u² ‖L‖ ‖P‖ in (P · d)² / A. Together
+//! 98u² ‖L‖ ‖P‖, and some twenty-five roundings of lower parts, u² of r² + P·P each.
 
 use math::TwoPart;
 use math::two_part::{two_product, two_sum};
@@ -68,10 +68,11 @@ pub(super) fn chord(l: [TwoPart; 3], d: [f64; 3], r: f64, a: f64, b: f64, t_clos
     if !spoils_nothing {
         return None;
     }
-    // t is off by the rounding of h, 2.5u, and of P · d, 4u ‖P‖: no more than 8u of the inner root where
-    // h + ‖P‖/‖d‖ is at most twice that.
+    // h is off by 3.5u (A is by 3u, halved by the root; a², the quotient and the root), δ by 4u ‖P‖/‖d‖, and δ ∓ h
+    // and the root are rounded. That is at most 8u of the inner root where h + ‖P‖/‖d‖ is at most one and a half
+    // times that.
     let inner = (t_close.abs() - h).abs();
-    let spare = 2.0 * inner - h;
+    let spare = 1.5 * inner - h;
     let inner_is_good = spare > 0.0 && spare * spare * a >= p_p && error <= HARMLESS * h * a * inner;
     if inner_is_good { Some(miss.crossed(h)) } else { near_surface::chord(&miss, p, l, d, r_r) }
 }

@@ -1,7 +1,7 @@
 //! The fourth way of [`robust`](super): sums that are not rounded at all.
 //!
 //! It is for the few rays that the others leave in doubt: a tangent, an origin exactly on the surface,
-//! numbers whose squares overflow or vanish. It is slow, and true.
+//! numbers too far apart for any scale. It is slow, and true.
 
 use math::{Exact, Hit, Ray3, Real, Roots, Vector, Wide};
 

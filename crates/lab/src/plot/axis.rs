@@ -58,10 +58,18 @@ pub(super) fn decade(x: f64) -> i32 {
 /// The nearest numbers 1, 2 or 5 times a power of ten around the positive numbers from `low` to `high`:
 /// the last one at or below, and the first one above.
 pub(super) fn around(low: f64, high: f64) -> (f64, f64) {
-    let steps = |x: f64| [(1, 0), (2, 0), (5, 0), (1, 1)].map(|(digit, up)| decimal(digit, decade(x) + up));
     let below = steps(low).into_iter().rfind(|&step| step <= low);
     let above = steps(high).into_iter().find(|&step| step > high && step.is_finite());
     (below.unwrap_or(f64::MIN_POSITIVE), above.unwrap_or(f64::MAX))
+}
+
+/// The first number 1, 2 or 5 times a power of ten that is at least the positive number `x`.
+pub(super) fn at_least(x: f64) -> f64 {
+    steps(x).into_iter().find(|&step| step >= x && step.is_finite()).unwrap_or(f64::MAX)
+}
+
+fn steps(x: f64) -> [f64; 4] {
+    [(1, 0), (2, 0), (5, 0), (1, 1)].map(|(digit, up)| decimal(digit, decade(x) + up))
 }
 
 /// digit × 10^exponent, correctly rounded.
@@ -121,6 +129,8 @@ mod tests {
         assert_eq!(around(0.9, 50.0), (0.5, 100.0));
         assert_eq!(around(1.0, 1.0), (1.0, 2.0));
         assert_eq!(around(5e-324, f64::MAX), (5e-324, f64::MAX));
+        assert_eq!([4.3, 5.0, 5.1, 60.0].map(at_least), [5.0, 5.0, 10.0, 100.0]);
+        assert_eq!([1e308, f64::MAX, f64::INFINITY].map(at_least), [1e308, f64::MAX, f64::MAX]);
         assert_eq!(round_numbers(0.0, 100.0, 10), [0., 10., 20., 30., 40., 50., 60., 70., 80., 90., 100.]);
         assert_eq!(round_numbers(0.0, 13.0, 6), [0.0, 5.0, 10.0]);
         assert_eq!(round_numbers(3.0, 3.0, 6), [3.0]);

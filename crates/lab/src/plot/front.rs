@@ -6,8 +6,7 @@ use super::trade::Mark;
 /// of corners after that is the place where the next one begins to do better.
 ///
 /// Its height at a speed is the least error of a mark of the front that is at least as fast: it never
-/// promises what no mark keeps. Where marks of the front dominate each other, as they may when the one
-/// who chose them forgave the noise of a clock, it passes over the worse ones.
+/// promises what no mark keeps, whatever marks are said to be on the front.
 pub(super) fn staircase(marks: &[Mark]) -> Vec<(f64, f64)> {
     let mut front: Vec<(f64, f64)> = marks
         .iter()

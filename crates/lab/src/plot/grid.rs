@@ -7,25 +7,31 @@ use super::extent::Extent;
 use super::legend::ROUNDOFF;
 use super::palette::{DIM, GRID};
 use super::pen::{Letters, Stroke};
+use super::shared::Times;
 use super::svg::Svg;
 
 /// What rounding once costs: half an ulp of 1, for `f32` and `f64`.
 pub(super) const HALF_ULPS: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
+/// The numbers along the axes and their titles.
+const NUMBER: f64 = 14.0;
+/// How far the row of exact answers reaches above the end of its axis.
+pub(super) const ZERO: f64 = 9.0;
 
-/// Draws the grid within a frame.
-pub(super) fn grid(svg: &mut Svg, frame: Extent, ns: &LogAxis, error: &LogAxis) {
-    let numbers = Letters::new(12.0, DIM);
+/// Draws the grid within a frame; `unit` is what takes the time.
+pub(super) fn grid(svg: &mut Svg, frame: Extent, times: &Times, error: &LogAxis, unit: &str) {
+    let numbers = Letters::new(NUMBER, DIM);
+    let right = times.band.map_or(frame.right, |band| band.0);
     // exact answers have a row of their own
     let zero = error.places.0;
-    svg.rectangle((frame.left, zero - 9.0), (frame.right, frame.bottom), GRID, 0.6);
-    for (time, is_decade) in times(ns.ends) {
-        let x = ns.at(time);
+    svg.rectangle((frame.left, zero - ZERO), (right, frame.bottom), GRID, 0.6);
+    for (time, is_decade) in numbered(times.axis.ends) {
+        let x = times.axis.at(time);
         svg.line((x, frame.top), (x, frame.bottom), Stroke::solid(GRID, if is_decade { 1.4 } else { 0.7 }));
         svg.line((x, frame.bottom), (x, frame.bottom + 4.0), Stroke::solid(DIM, 1.0));
         if (-3..5).contains(&decade(time)) {
-            svg.text((x, frame.bottom + 17.0), numbers.at(Anchor::Middle), &time.to_string());
+            svg.text((x, frame.bottom + 18.0), numbers.at(Anchor::Middle), &time.to_string());
         } else if is_decade {
-            svg.power_of_ten((x, frame.bottom + 17.0), numbers.at(Anchor::Middle), decade(time));
+            svg.power_of_ten((x, frame.bottom + 18.0), numbers.at(Anchor::Middle), decade(time));
         }
     }
     for exponent in powers(error.ends) {
@@ -33,22 +39,40 @@ pub(super) fn grid(svg: &mut Svg, frame: Extent, ns: &LogAxis, error: &LogAxis) 
         svg.line((frame.left, y), (frame.right, y), Stroke::solid(GRID, 1.0));
         svg.line((frame.left - 4.0, y), (frame.left, y), Stroke::solid(DIM, 1.0));
         match exponent {
+            // too close to the number 0, where a plot is low
+            _ if zero - y < 0.8 * NUMBER => {}
             0 => svg.text((frame.left - 7.0, y + 4.0), numbers.at(Anchor::Right), "1"),
             _ => svg.power_of_ten((frame.left - 7.0, y + 5.0), numbers.at(Anchor::Right), exponent),
         }
     }
     svg.text((frame.left - 7.0, zero + 4.0), numbers.bold(true).at(Anchor::Right), "0");
+    if let Some(band) = times.band {
+        slower(svg, frame, band);
+    }
     for half_ulp in HALF_ULPS {
         svg.line((frame.left, error.at(half_ulp)), (frame.right, error.at(half_ulp)), ROUNDOFF);
     }
-    let corners = [(frame.left, frame.top), (frame.left, frame.bottom), (frame.right, frame.bottom)];
+    let corners = [(frame.left, frame.top), (frame.left, frame.bottom), (right, frame.bottom)];
     svg.polyline(&corners, Stroke::solid(DIM, 1.2));
-    let middle = (frame.left + frame.right) / 2.0;
-    svg.text((middle, frame.bottom + 35.0), Letters::new(13.0, DIM).at(Anchor::Middle), "ns per ray");
+    let middle = (frame.left + times.axis.places.1) / 2.0;
+    let title = Letters::new(NUMBER, DIM).at(Anchor::Middle);
+    svg.text((middle, frame.bottom + 37.0), title, &format!("ns per {unit}"));
+}
+
+/// The band of what is slower than the axis, which breaks off at two strokes.
+fn slower(svg: &mut Svg, frame: Extent, (left, right): (f64, f64)) {
+    svg.rectangle((left, frame.top), (frame.right, frame.bottom), GRID, 0.5);
+    svg.line((left + 4.0, frame.bottom), (frame.right, frame.bottom), Stroke::solid(DIM, 1.2));
+    for x in [left, left + 4.0] {
+        let ends = ((x - 2.5, frame.bottom + 5.0), (x + 2.5, frame.bottom - 5.0));
+        svg.line(ends.0, ends.1, Stroke::solid(DIM, 1.2));
+    }
+    let place = ((left + right) / 2.0 + 2.0, frame.bottom + 18.0);
+    svg.text(place, Letters::new(NUMBER, DIM).at(Anchor::Middle), "slower");
 }
 
 /// The times with a line: 1, 2 and 5 times the powers of ten, or only those where there are many.
-fn times((low, high): (f64, f64)) -> Vec<(f64, bool)> {
+fn numbered((low, high): (f64, f64)) -> Vec<(f64, bool)> {
     let digits: &[u32] = if high - low > 3.0 { &[1] } else { &[1, 2, 5] };
     let every = ((high - low) / 8.0).ceil().max(1.0) as i32;
     let decades = (low.floor() as i32..=high.ceil() as i32).filter(|exponent| exponent % every == 0);

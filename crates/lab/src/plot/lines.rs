@@ -51,7 +51,7 @@ pub fn lines_svg(plot: &LinePlot) -> String {
     let limit = WIDTH - 2.0 * MARGIN;
     svg.text((MARGIN, 66.0), Letters::new(32.0, INK).bold(true), &cut(&plot.title, 33.0, limit));
     svg.text((MARGIN, 97.0), Letters::new(17.0, DIM), &cut(&plot.subtitle, 17.0, limit));
-    let conclusion = wrapped(&plot.conclusion, 20.0, limit, 2);
+    let conclusion = wrapped(&plot.conclusion, 20.0, limit, 3);
     for (i, line) in conclusion.iter().enumerate() {
         let y = HEIGHT - 30.0 - 27.0 * (conclusion.len() - 1 - i) as f64;
         svg.text((MARGIN, y), Letters::new(20.0, INK), line);

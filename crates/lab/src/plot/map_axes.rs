@@ -6,28 +6,38 @@ use super::heat::{self, LAST_POWER};
 use super::map::{Cell, Frame, MapAxis, MapPlot, swatch};
 use super::palette::{DIM, INK};
 
-const NUMBER: f32 = 14.0;
+const NUMBER: f32 = 20.0;
+/// From one number to the next, at least: along the horizontal axis and the vertical one.
+const APART: (f32, f32) = (84.0, 48.0);
 
-/// Draws the frame of a panel and the numbers along its axes.
-pub(super) fn axes(canvas: &mut Canvas, plot: &MapPlot, frame: Frame) {
+/// Draws the frame of a panel and the numbers along its axes; along the vertical one only where the panel
+/// is the first of its row.
+pub(super) fn axes(canvas: &mut Canvas, plot: &MapPlot, frame: Frame, is_first: bool) {
     let Frame { left, top, right, bottom } = frame;
     canvas.frame((left - 0.5, top - 0.5), (right + 0.5, bottom + 0.5), Pen::solid(DIM, 1.0));
-    for (exponent, share) in ticks(&plot.x, right - left) {
+    // every second line has a number
+    for (_, share) in ticks(&plot.x, right - left, APART.0 / 2.0) {
         let x = left + share * (right - left);
-        canvas.line((x, bottom), (x, bottom + 5.0), Pen::solid(DIM, 1.0));
-        power_of_ten(canvas, (x, bottom + 22.0), Anchor::Middle, (NUMBER, DIM), ("", exponent));
+        canvas.line((x, bottom), (x, bottom + 4.0), Pen::solid(DIM, 1.0));
     }
-    for (exponent, share) in ticks(&plot.y, bottom - top) {
+    for (exponent, share) in ticks(&plot.x, right - left, APART.0) {
+        let x = left + share * (right - left);
+        canvas.line((x, bottom), (x, bottom + 8.0), Pen::solid(DIM, 1.0));
+        power_of_ten(canvas, (x, bottom + 28.0), Anchor::Middle, (NUMBER, DIM), ("", exponent));
+    }
+    for (exponent, share) in ticks(&plot.y, bottom - top, APART.1) {
         let y = bottom - share * (bottom - top);
-        canvas.line((left - 5.0, y), (left, y), Pen::solid(DIM, 1.0));
-        power_of_ten(canvas, (left - 9.0, y + 5.0), Anchor::Right, (NUMBER, DIM), ("", exponent));
+        canvas.line((left - 6.0, y), (left, y), Pen::solid(DIM, 1.0));
+        if is_first {
+            power_of_ten(canvas, (left - 12.0, y + 7.0), Anchor::Right, (NUMBER, DIM), ("", exponent));
+        }
     }
 }
 
 /// The powers of ten that are named along an axis, each with its share of the way: as many as have room.
-fn ticks(axis: &MapAxis, length: f32) -> Vec<(i32, f32)> {
+fn ticks(axis: &MapAxis, length: f32, apart: f32) -> Vec<(i32, f32)> {
     let span = axis.high.abs_diff(axis.low).max(1);
-    let most = (length / 56.0).max(1.0) as u32;
+    let most = (length / apart).max(1.0) as u32;
     let every =
         [1, 2, 4, 8, 16, 32, 64, 128, 256].into_iter().find(|every| span / every <= most).unwrap_or(512);
     let (first, last) = (axis.low.min(axis.high), axis.low.max(axis.high));
@@ -65,8 +75,8 @@ fn power_of_ten(
 
 /// Draws what the colors mean.
 pub(super) fn key(canvas: &mut Canvas, (left, top): (f32, f32)) {
-    const LENGTH: u16 = 480;
-    const LETTERS: f32 = 16.0;
+    const LENGTH: u16 = 420;
+    const LETTERS: f32 = 20.0;
     let (right, bottom) = (left + f32::from(LENGTH), top + 18.0);
     for step in 0..LENGTH {
         let power = f64::from(LAST_POWER) * f64::from(step) / f64::from(LENGTH);
@@ -81,13 +91,13 @@ pub(super) fn key(canvas: &mut Canvas, (left, top): (f32, f32)) {
             _ => "",
         };
         canvas.line((x, bottom), (x, bottom + 5.0), Pen::solid(DIM, 1.0));
-        let place = (x, bottom + 25.0);
+        let place = (x, bottom + 28.0);
         power_of_ten(canvas, place, Anchor::Middle, (LETTERS, INK), (before, power));
     }
-    let baseline = bottom - 3.0;
+    let baseline = bottom - 2.0;
     canvas.label((right + 16.0, baseline), Anchor::Left, LETTERS, INK, "ulps: the worst error of t");
 
-    let wrong = right + 290.0;
+    let wrong = right + 340.0;
     for column in 0..12 {
         for row in 0..2 {
             let share = (f64::from(column) + 0.5) / 12.0;
@@ -96,7 +106,7 @@ pub(super) fn key(canvas: &mut Canvas, (left, top): (f32, f32)) {
         }
     }
     canvas.label((wrong + 124.0, baseline), Anchor::Left, LETTERS, INK, "some … all verdicts wrong");
-    let empty = wrong + 380.0;
+    let empty = wrong + 450.0;
     swatch(canvas, (empty, top), (empty + 27.0, bottom), Cell::Empty, false);
     canvas.frame((empty, top), (empty + 27.0, bottom), Pen::solid(DIM, 1.0));
     canvas.label((empty + 38.0, baseline), Anchor::Left, LETTERS, INK, "no case");
@@ -109,9 +119,9 @@ mod tests {
     #[test]
     fn ticks_lie_at_their_share_of_the_way() {
         let axis = |low, high| MapAxis { title: String::new(), low, high, cells: 8 };
-        assert_eq!(ticks(&axis(0, 16), 250.0), [(0, 0.0), (4, 0.25), (8, 0.5), (12, 0.75), (16, 1.0)]);
-        assert_eq!(ticks(&axis(0, -16), 120.0), [(-16, 1.0), (-8, 0.5), (0, 0.0)]);
-        assert_eq!(ticks(&axis(-3, -3), 120.0), [(-3, 0.0)]);
-        assert!(ticks(&axis(-323, 308), 300.0).len() < 8);
+        assert_eq!(ticks(&axis(0, 16), 250.0, 56.0), [(0, 0.0), (4, 0.25), (8, 0.5), (12, 0.75), (16, 1.0)]);
+        assert_eq!(ticks(&axis(0, -16), 120.0, 56.0), [(-16, 1.0), (-8, 0.5), (0, 0.0)]);
+        assert_eq!(ticks(&axis(-3, -3), 120.0, 56.0), [(-3, 0.0)]);
+        assert!(ticks(&axis(-323, 308), 300.0, 56.0).len() < 8);
     }
 }

@@ -16,13 +16,20 @@ pub(super) struct Svg {
 impl Svg {
     /// A white page with a title that a viewer may show or read aloud.
     pub(super) fn new((width, height): (f64, f64), title: &str) -> Svg {
+        Svg::scaled((width, height), 1.0, title)
+    }
+
+    /// A page like [`new`](Svg::new) that is shown this many times as large.
+    pub(super) fn scaled((width, height): (f64, f64), scale: f64, title: &str) -> Svg {
+        let shown = (number(width * scale), number(height * scale));
         let (width, height, title) = (number(width), number(height), escaped(title));
         Svg {
             text: format!(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" \
                  viewBox=\"0 0 {width} {height}\" \
                  font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<title>{title}</title>\n\
-                 <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n"
+                 <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
+                shown.0, shown.1
             ),
         }
     }
@@ -91,7 +98,7 @@ impl Svg {
     /// 10 to a power, with the exponent raised. Raised digits of the font are not relied on: many fonts
     /// lack some of them.
     pub(super) fn power_of_ten(&mut self, place: Point, letters: Letters, exponent: i32) {
-        let (rise, size) = (number(0.38 * letters.size), number(0.75 * letters.size));
+        let (rise, size) = (number(0.38 * letters.size), number(0.86 * letters.size));
         let sign = if exponent < 0 { "−" } else { "" };
         let digits = exponent.unsigned_abs();
         let markup = format!("10<tspan dy=\"-{rise}\" font-size=\"{size}\">{sign}{digits}</tspan>");

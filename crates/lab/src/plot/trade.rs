@@ -2,12 +2,13 @@
 
 use stage::{Anchor, Precision};
 
+use super::legend::Legend;
 use super::letters::wrapped;
 use super::palette::{DIM, INK};
+use super::panel::{self, Room};
 use super::pen::Letters;
 use super::shared::Shared;
 use super::svg::{Point, Svg};
-use super::{legend, panel};
 
 /// What is shown: the methods of a concept in every regime.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,8 +17,30 @@ pub struct TradePlot {
     pub title: String,
     /// A line below it: the machine, the build, how many cases.
     pub subtitle: String,
+    /// What the figures are called.
+    pub words: Words,
     /// The regimes, in their order.
     pub panels: Vec<Panel>,
+}
+
+/// What the figures of a plot are called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
+    /// What it is that takes so many ns.
+    pub unit: &'static str,
+    /// The title of the axis of errors, in two lines.
+    pub error: [&'static str; 2],
+    /// What is counted as wrong.
+    pub wrong: &'static str,
+}
+
+impl Words {
+    /// Rays that hit or miss, with errors of t.
+    pub const RAYS: Words = Words {
+        unit: "ray",
+        error: ["error: mean relative error of t,", "a wrong verdict counts as 1"],
+        wrong: "verdicts (hit or miss) wrong",
+    };
 }
 
 /// One regime.
@@ -38,16 +61,17 @@ pub struct Mark {
     pub method: String,
     /// The precision.
     pub precision: Precision,
-    /// Nanoseconds per ray, above 0. A mark without such a time is listed, not placed.
+    /// Nanoseconds per ray, or whatever [`Words::unit`] says, above 0. A mark without such a time is listed, not placed.
     pub ns: f64,
-    /// The mean relative error of t, a wrong verdict counting as 1: from 0 to 1. A mark without a finite
+    /// The error that [`Words::error`] names, from 0 to 1. A mark without a finite
     /// error is listed, not placed.
     pub error: f64,
-    /// How many verdicts (hit or miss) are wrong.
+    /// How many are wrong, in the sense of [`Words::wrong`].
     pub wrong: u64,
     /// Out of how many.
     pub cases: u64,
-    /// Whether it is on the Pareto front: nothing in the panel is both faster and closer.
+    /// Whether it is on the Pareto front: nothing in the panel is at least as fast and as close, and
+    /// better in one of the two.
     pub on_front: bool,
 }
 
@@ -60,63 +84,91 @@ impl Mark {
 
 const MARGIN: f64 = 24.0;
 /// Room for the upward axis title at the left of every row.
-const AXIS_TITLE: f64 = 44.0;
-const PANEL_WIDTH: f64 = 456.0;
+const AXIS_TITLE: f64 = 40.0;
+/// The height of a panel where there are several rows.
 const PANEL_HEIGHT: f64 = 430.0;
-/// The least width of a page, so that its heading fits.
-const LEAST_WIDTH: f64 = 960.0;
+
+/// How large a page is by the number of panels that stand side by side.
+struct Page {
+    columns: usize,
+    /// Its width, in which letters and marks have their fixed sizes.
+    width: f64,
+    /// The width that it is shown at: the fewer panels, the larger is all that is on it.
+    shown: f64,
+    /// The size of the letters of the heading and of what is below it.
+    letters: (f64, f64),
+}
+
+impl Page {
+    /// No more than four panels side by side can be read on a slide.
+    fn of(panels: usize) -> Page {
+        let slide = |columns, width| Page { columns, width, shown: 1280.0, letters: (27.0, 14.0) };
+        match panels {
+            0 | 1 => slide(1, 960.0),
+            2 | 4 => slide(2, 1120.0),
+            3 | 5 | 6 | 9 => slide(3, 1200.0),
+            _ => Page { columns: 4, width: 1920.0, shown: 1920.0, letters: (34.0, 17.0) },
+        }
+    }
+
+    /// The height of a panel: a single row fills a slide.
+    fn panel_height(&self, rows: usize, top: f64) -> f64 {
+        if rows > 1 { PANEL_HEIGHT } else { (self.width * 9.0 / 16.0 - top - MARGIN / 2.0).max(280.0) }
+    }
+}
 
 /// Speed against accuracy as an SVG: nanoseconds per ray to the right, error upward, both logarithmic,
 /// the better the further down and left. Both axes are the same in every panel.
 ///
 /// The axis of errors is whole decades up to 1, from 1e-17 or below, where an error of exactly 0 is
 /// shown. The axis of times ends at numbers 1, 2 or 5 times a power of ten: times mostly span less than
-/// two decades, and whole ones would leave half of every panel empty.
+/// two decades, and whole ones would leave half of every panel empty. It covers what is typical; the few
+/// marks that are far slower stand in a band at its end, and their labels give the time.
 pub fn trade_svg(plot: &TradePlot) -> String {
-    let columns = columns(plot.panels.len());
-    let width = (2.0 * MARGIN + AXIS_TITLE + columns as f64 * PANEL_WIDTH).max(LEAST_WIDTH);
-    let panel_width = (width - 2.0 * MARGIN - AXIS_TITLE) / columns as f64;
-    let rows = plot.panels.len().div_ceil(columns);
-    let shared = Shared::of(&plot.panels);
+    let page = Page::of(plot.panels.len());
+    let inner = page.width - 2.0 * MARGIN;
+    let panel_width = (inner - AXIS_TITLE) / page.columns as f64;
+    let rows = plot.panels.len().div_ceil(page.columns);
+    let shared = Shared::of(plot);
 
-    let subtitle = wrapped(&plot.subtitle, 17.0, width - 2.0 * MARGIN, 2);
-    let legend_top = MARGIN + 52.0 + 24.0 * subtitle.len() as f64;
-    let legend = legend::items(&shared, plot);
-    let top = legend_top + legend::height(&legend, width - 2.0 * MARGIN) + 14.0;
-    let height = top + rows as f64 * PANEL_HEIGHT + MARGIN;
+    let (large, small) = page.letters;
+    let title = wrapped(&plot.title, 1.08 * large, inner, 2);
+    let subtitle = wrapped(&plot.subtitle, small, inner, 3);
+    let title_bottom = MARGIN + 1.15 * large * title.len() as f64;
+    let legend_top = title_bottom + 1.4 * small * subtitle.len() as f64 + 0.4 * small;
+    let legend = Legend::of(&shared, plot, small - 1.0, inner);
+    let top = legend_top + legend.height() + small;
+    let panel_height = page.panel_height(rows, top);
+    let height = top + rows as f64 * panel_height + MARGIN / 2.0;
 
-    let mut svg = Svg::new((width, height), &plot.title);
-    svg.text((MARGIN, MARGIN + 28.0), Letters::new(32.0, INK).bold(true), &plot.title);
+    let mut svg = Svg::scaled((page.width, height), page.shown / page.width, &plot.title);
+    for (i, line) in title.iter().enumerate() {
+        let baseline = MARGIN + large * (0.75 + 1.15 * i as f64);
+        svg.text((MARGIN, baseline), Letters::new(large, INK).bold(true), line);
+    }
     for (i, line) in subtitle.iter().enumerate() {
-        svg.text((MARGIN, MARGIN + 56.0 + 24.0 * i as f64), Letters::new(17.0, DIM), line);
+        let baseline = title_bottom + small * (0.9 + 1.4 * i as f64);
+        svg.text((MARGIN, baseline), Letters::new(small, DIM), line);
     }
-    legend::draw(&mut svg, &legend, (MARGIN, legend_top), width - 2.0 * MARGIN);
-    for row in 0..rows {
-        axis_title(&mut svg, (MARGIN, top + row as f64 * PANEL_HEIGHT + panel::PLOT_MIDDLE));
-    }
+    legend.draw(&mut svg, (MARGIN, legend_top));
+    let lines = plot.panels.iter().map(|panel| panel::what(panel, panel_width).len()).max().unwrap_or(0);
     for (i, panel) in plot.panels.iter().enumerate() {
-        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
-        let corner = (MARGIN + AXIS_TITLE + column * panel_width, top + row * PANEL_HEIGHT);
-        panel::draw(&mut svg, panel, &shared, corner, (panel_width, PANEL_HEIGHT));
+        let (column, row) = ((i % page.columns) as f64, (i / page.columns) as f64);
+        let corner = (MARGIN + AXIS_TITLE + column * panel_width, top + row * panel_height);
+        let room = Room { corner, size: (panel_width, panel_height), lines };
+        if i % page.columns == 0 {
+            axis_title(&mut svg, (MARGIN, room.middle()), plot.words);
+        }
+        panel::draw(&mut svg, panel, &shared, room);
     }
     svg.finish()
 }
 
 /// The title of the axis of errors, in two lines that read upward.
-fn axis_title(svg: &mut Svg, (x, y): Point) {
+fn axis_title(svg: &mut Svg, (x, y): Point, words: Words) {
     let letters = Letters::new(13.0, DIM).at(Anchor::Middle);
-    svg.upward_text((x + 12.0, y), letters, "error: mean relative error of t,");
-    svg.upward_text((x + 29.0, y), letters, "a wrong verdict counts as 1");
-}
-
-/// How many panels stand side by side: no more than four can be read on a slide.
-fn columns(panels: usize) -> usize {
-    match panels {
-        0 | 1 => 1,
-        2 | 4 => 2,
-        3 | 5 | 6 | 9 => 3,
-        _ => 4,
-    }
+    svg.upward_text((x + 12.0, y), letters, words.error[0]);
+    svg.upward_text((x + 29.0, y), letters, words.error[1]);
 }
 
 #[cfg(test)]
@@ -133,7 +185,7 @@ mod tests {
     fn plot(panels: Vec<Vec<Mark>>) -> TradePlot {
         let panel = |marks| Panel { name: "far".to_owned(), what: "distance / radius".to_owned(), marks };
         let panels = panels.into_iter().map(panel).collect();
-        TradePlot { title: "Ray and sphere".to_owned(), subtitle: String::new(), panels }
+        TradePlot { title: "Ray and sphere".to_owned(), subtitle: String::new(), words: Words::RAYS, panels }
     }
 
     /// A number among the attributes of an element.
@@ -182,12 +234,69 @@ mod tests {
 
     #[test]
     fn the_axes_are_shared_and_reach_over_all_panels() {
-        let shared =
-            Shared::of(&plot(vec![vec![mark(0.9, 1e-3)], vec![mark(43.0, 3e-17), mark(2.0, 0.0)]]).panels);
+        let shared = Shared::of(&plot(vec![vec![mark(0.9, 1e-3)], vec![mark(43.0, 3e-17), mark(2.0, 0.0)]]));
         assert_eq!((shared.error, shared.methods.len()), ((-17.0, 0.0), 1));
-        let (ns, error) = shared.axes(Extent { left: 0.0, top: 0.0, right: 200.0, bottom: 170.0 });
+        let (ns, error) = shared.axes(Extent { left: 0.0, top: 0.0, right: 200.0, bottom: 170.0 }, &[]);
         assert!((ns.at(0.5), ns.at(50.0)) == (0.0, 200.0) && (ns.at(5.0) - 100.0).abs() < 1e-9);
         assert!((error.at(0.0), error.at(1.0)) == (170.0, 0.0) && (error.at(1e-8) - 80.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_mark_beyond_the_axis_stands_in_the_band_and_tells_its_time() {
+        let mut marks = vec![mark(10.0, 1e-8); 20];
+        assert!(!trade_svg(&plot(vec![marks.clone()])).contains(">slower"));
+        marks.extend([mark(5720.0, 0.0), Mark { on_front: false, ..mark(16_899.0, 1e-3) }]);
+        let document = trade_svg(&plot(vec![marks.clone(), vec![mark(60.0, 1e-8)]]));
+        assert_well_formed(&document);
+        assert_eq!(document.matches(">slower</text>").count(), 2, "a band in every panel");
+        assert!(document.contains(">half-quadratic 5.7 µs<") && document.contains(">half-quadratic 17 µs<"));
+        assert!(document.contains("f64: 5720 ns per ray") && document.contains("slower than the axis"));
+        let last = document.lines().find(|line| line.ends_with(">100</text>"));
+        let last = last.and_then(|line| attribute(line, "x")).unwrap();
+        let name = document.lines().find(|line| line.ends_with(">slower</text>"));
+        let name = name.and_then(|line| attribute(line, "x")).unwrap();
+        let xs: Vec<f64> = centers(&document).iter().map(|center| center.0).collect();
+        let beyond = |xs: &[f64]| xs.iter().filter(|&&x| x > last && (x - name).abs() < 20.0).count();
+        assert_eq!((beyond(&xs[..22]), beyond(&xs[22..])), (2, 0));
+    }
+
+    #[test]
+    fn a_single_panel_fills_a_slide_with_letters_to_read() {
+        let marks = vec![mark(4.0, 1e-16), mark(8.0, 0.0), mark(9.0, 1.0), mark(9e4, 1e-3)];
+        for count in 1..=3 {
+            let document = trade_svg(&plot(vec![marks.clone(); count]));
+            let page = document.lines().next().unwrap();
+            assert_eq!([attribute(page, "width"), attribute(page, "height")], [Some(1280.0), Some(720.0)]);
+            let inner: f64 =
+                page.split("viewBox=\"0 0 ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+            let sizes = document.split("font-size=\"").skip(1).map(|rest| rest.split('"').next().unwrap());
+            let least = sizes.map(|size| size.parse::<f64>().unwrap() * 1280.0 / inner).fold(99.0, f64::min);
+            assert!(least > if count == 1 { 16.0 } else { 12.5 }, "{count} panels: {least}");
+        }
+    }
+
+    #[test]
+    fn long_headings_are_wrapped() {
+        let mut plot = plot(vec![vec![mark(4.0, 1e-16)]]);
+        plot.title = "speed for accuracy ".repeat(5);
+        plot.subtitle = "what the median is taken over ".repeat(9);
+        let document = trade_svg(&plot);
+        let is_heading = |line: &&str| {
+            attribute(line, "x") == Some(MARGIN) && !line.contains("rotate") && line.starts_with("<text")
+        };
+        let headings: Vec<&str> = document.lines().filter(is_heading).collect();
+        assert_eq!(headings.len(), 2 + 3, "{headings:?}");
+        assert!(headings.iter().all(|line| line.len() < 230), "{headings:?}");
+        assert!(document.contains("height=\"720\""));
+    }
+
+    #[test]
+    fn above_an_error_of_1_there_is_room_for_a_label() {
+        let document = trade_svg(&plot(vec![vec![mark(4.0, 1.0)]]));
+        let number = document.lines().find(|line| line.ends_with(">1</text>")).unwrap();
+        let name = document.lines().find(|line| line.ends_with(">distance / radius</text>")).unwrap();
+        let room = attribute(number, "y").unwrap() - attribute(name, "y").unwrap();
+        assert!(room > 40.0, "{room}");
     }
 
     #[test]
@@ -225,8 +334,12 @@ mod tests {
         assert!(
             !document.contains("<script>") && !document.contains("<i>") && document.contains("a &amp; b")
         );
-        assert!(document.contains("f64: 4.25 ns per ray, error 1.5e-16, 0 of 20000 verdicts wrong"));
-        assert!(document.contains("f64: 3 ns per ray, error 3.5e-4, 7 of 20000 verdicts wrong"));
+        assert!(
+            document.contains("f64: 4.25 ns per ray, error 1.5e-16, 0 of 20000 verdicts (hit or miss) wrong")
+        );
+        assert!(
+            document.contains("f64: 3 ns per ray, error 3.5e-4, 7 of 20000 verdicts (hit or miss) wrong")
+        );
     }
 
     #[test]

@@ -1,0 +1,67 @@
+//! Tables as `trade` prints them.
+
+/// Lines of cells, the heads first, in columns as wide as the widest: the first two are names and stand to
+/// the left, numbers to the right. A line whose place after the heads is starred gets a ★.
+pub fn aligned(lines: &[Vec<String>], starred: &[bool]) -> String {
+    let columns = lines.first().map_or(0, Vec::len);
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let stars = std::iter::once(&false).chain(starred);
+    let mut text = String::new();
+    for (line, &star) in lines.iter().zip(stars) {
+        text += if star { "★ " } else { "  " };
+        let padded = line.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| match column {
+            0 | 1 => format!("{cell:<width$}"),
+            _ => format!("{cell:>width$}"),
+        });
+        text += padded.collect::<Vec<_>>().join("  ").trim_end();
+        text += "\n";
+    }
+    text
+}
+
+/// Three digits: 4.71, 47.1, 471, 4710.
+pub fn three_digits(x: f64) -> String {
+    match x {
+        _ if !x.is_finite() => "–".to_string(),
+        ..9.995 => format!("{x:.2}"),
+        ..99.95 => format!("{x:.1}"),
+        _ => format!("{x:.0}"),
+    }
+}
+
+/// A count: as it is up to a million, above that as a power of ten.
+pub fn short(count: f64) -> String {
+    if count < 1e6 { format!("{count:.0}") } else { small(count) }
+}
+
+/// A number of any size to two digits, zero as 0.
+pub fn small(x: f64) -> String {
+    match x {
+        0.0 => "0".to_string(),
+        _ if !x.is_finite() => x.to_string().replace("inf", "∞"),
+        _ => format!("{x:.1e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_stand_to_the_left_and_numbers_to_the_right() {
+        let lines = [["method", "", "ns"], ["notes", "f32", "9.5"], ["robust", "f64", "100"]];
+        let lines = lines.map(|line| line.map(str::to_string).to_vec());
+        assert_eq!(
+            aligned(&lines, &[true, false]),
+            "  method        ns\n★ notes   f32  9.5\n  robust  f64  100\n"
+        );
+    }
+
+    #[test]
+    fn numbers_are_as_long_as_they_are_good() {
+        assert_eq!([9.994, 9.996, 99.96, f64::NAN].map(three_digits), ["9.99", "10.0", "100", "–"]);
+        assert_eq!([7.0, 999_999.0, 1.25e6].map(short), ["7", "999999", "1.2e6"]);
+        assert_eq!([0.0, 0.5, f64::INFINITY].map(small), ["0", "5.0e-1", "∞"]);
+    }
+}
