@@ -20,6 +20,7 @@ mod color;
 mod command;
 mod error;
 mod eval;
+mod flags;
 mod font;
 mod json;
 mod text;
