@@ -27,6 +27,7 @@ impl Chapter for Pinhole {
                       of that size seen through Gambetta's viewport, 1 high at distance 1; the worked example is \
                       the top left pixel of House's picture.",
             inputs: &["width", "height", "col", "row", "left", "right", "bottom", "top", "distance"],
+            words: &[],
             results: &["x", "y", "z", "reason"],
             trade: "What f32 and f64 cost on each grid, in pictures from an ordinary one to 16 million columns (the regimes): \
                     nanoseconds a point, and how many pixels it is off its exact place. Draws the two against each \

@@ -30,6 +30,7 @@ impl Chapter for RayWall {
             picture: "A fan of rays against House's wall, each hit marked; the ray of a pixel leads from \
                       p_r to the point of the plane under it.",
             inputs: &["ox", "oy", "dx", "dy", "front", "back"],
+            words: &[],
             results: &["hit", "t", "t_out", "x", "y", "reason"],
             trade: "House's division against the one that is rounded once, in regimes from ordinary numbers to \
                     their ends: nanoseconds a ray, wrong verdicts, and how far t and the point are off. Draws the \

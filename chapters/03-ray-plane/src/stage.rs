@@ -23,6 +23,7 @@ impl Chapter for RayPlane {
             picture: "A checkered ground plane to the horizon, one ray a pixel. On the horizon n · u_r = 0; \
                       just below it t grows without bound, and one ray a pixel no longer tells the tiles apart.",
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "px", "py", "pz", "nx", "ny", "nz"],
+            words: &[],
             results: &["hit", "t", "x", "y", "z", "distance", "reason"],
             trade: "Equation 4.2 as printed against the one whose dot products are certain, in regimes from ordinary \
                     numbers to their ends: nanoseconds a ray, wrong verdicts, and how far t and the point are off. \

@@ -23,6 +23,7 @@ impl Chapter for RaySphere {
             picture: "Gambetta's three spheres on his lattice, one ray a pixel, seen from above and from \
                       the right in the corners; the rays that touch a sphere exactly are ringed.",
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"],
+            words: &[],
             results: &["hit", "t", "t_out", "x", "y", "z", "nx", "ny", "nz", "reason"],
             trade: "Draws, beside the trade plot, House's claim that rejecting first is faster (reject.svg) and \
                     where each method dies (map.png).",

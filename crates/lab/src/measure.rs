@@ -123,7 +123,7 @@ fn measure_regime<const N: usize>(
             let method = methods[method];
             let worst = worst.map(|(judgment, case)| WorstCase {
                 judgment,
-                row: row(case, precision),
+                row: subject.about().row_of(&case, precision),
                 truth: subject.truth(case, precision),
             });
             entries.push(Entry {
@@ -241,15 +241,6 @@ impl<const N: usize> Judged<N> {
             self.worst = Some(one);
         }
     }
-}
-
-/// A case as a row of a case file.
-fn row<const N: usize>(case: [f64; N], precision: Precision) -> String {
-    case.map(|number| match precision {
-        Precision::F32 => format!("{:?}", number as f32),
-        Precision::F64 => format!("{number:?}"),
-    })
-    .join(",")
 }
 
 /// Judges methods over the cases of a regime.

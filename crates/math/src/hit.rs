@@ -48,6 +48,10 @@ pub enum Degenerate {
     RadiusNotPositive,
     /// The wall's front face lies behind its back face.
     FrontBeyondBack,
+    /// The corners of the triangle lie on one line.
+    NoArea,
+    /// The matrix has no inverse.
+    Singular,
 }
 
 impl Degenerate {
@@ -59,6 +63,8 @@ impl Degenerate {
             Degenerate::ZeroNormal => "zero-normal",
             Degenerate::RadiusNotPositive => "radius-not-positive",
             Degenerate::FrontBeyondBack => "front-beyond-back",
+            Degenerate::NoArea => "no-area",
+            Degenerate::Singular => "singular",
         }
     }
 }
@@ -71,6 +77,8 @@ impl fmt::Display for Degenerate {
             Degenerate::ZeroNormal => "the normal of the plane is zero",
             Degenerate::RadiusNotPositive => "the radius is not positive",
             Degenerate::FrontBeyondBack => "the wall's front face is beyond its back face",
+            Degenerate::NoArea => "the triangle has no area",
+            Degenerate::Singular => "the matrix is singular: it has no inverse",
         })
     }
 }

@@ -39,6 +39,8 @@ pub trait Real:
     fn vec2(x: Self, y: Self) -> Self::Vec2;
     /// The vector (x, y, z).
     fn vec3(x: Self, y: Self, z: Self) -> Self::Vec3;
+    /// The components of a vector: x, y, z.
+    fn xyz(v: Self::Vec3) -> [Self; 3];
     /// a × b.
     fn cross(a: Self::Vec3, b: Self::Vec3) -> Self::Vec3;
     /// The square root, correctly rounded; NaN below zero.
@@ -151,6 +153,9 @@ macro_rules! real {
             }
             fn vec3(x: Self, y: Self, z: Self) -> $vec3 {
                 <$vec3>::new(x, y, z)
+            }
+            fn xyz(v: $vec3) -> [Self; 3] {
+                v.to_array()
             }
             fn cross(a: $vec3, b: $vec3) -> $vec3 {
                 a.cross(b)

@@ -83,6 +83,9 @@ pub struct About {
     pub picture: &'static str,
     /// The columns of a case that `eval` reads.
     pub inputs: &'static [&'static str],
+    /// Those of them that hold a word and not a number, with the words there are. Among the numbers of a case a
+    /// word is its place in this list, from 0.
+    pub words: &'static [Words],
     /// The columns that `eval` writes.
     pub results: &'static [&'static str],
     /// What `trade` measures and draws, in one or two sentences.
@@ -90,6 +93,9 @@ pub struct About {
     /// The names that `trade --regime` takes and what each is, the ordinary one first.
     pub regimes: Vec<(&'static str, &'static str)>,
 }
+
+/// A column of words: its name, and the words that may stand in it.
+pub type Words = (&'static str, &'static [&'static str]);
 
 /// One request: which method, at which precision, about which pixel of a picture of which size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

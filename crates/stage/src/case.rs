@@ -6,7 +6,7 @@ use csv_core::{ReadFieldResult, Reader};
 use math::{Real, Vector};
 
 use crate::value::digits;
-use crate::{Error, Value};
+use crate::{About, Error, Precision, Value, Words};
 
 /// The longest line that is read: longer ones are no cases.
 const LONGEST_LINE: u64 = 1 << 20;
@@ -25,6 +25,7 @@ pub struct Case<'a> {
     file: &'a str,
     line: u64,
     names: &'static [&'static str],
+    words: &'static [Words],
     fields: Vec<&'a Field>,
 }
 
@@ -32,22 +33,46 @@ impl Case<'_> {
     /// The fields as numbers, each read to the nearest value of the precision.
     ///
     /// [`Error::Request`] with line and column where a field is no number; `nan`, `inf` and 1e400 are
-    /// numbers. N is the number of input columns of the stage.
+    /// numbers. In a column of words the number is the word's place among them. N is the number of input
+    /// columns of the stage.
     pub fn numbers<R: Real, const N: usize>(&self) -> Result<[R; N], Error> {
         let mut numbers = [R::from(0.0); N];
         for ((number, field), name) in numbers.iter_mut().zip(&self.fields).zip(self.names) {
             let text = std::str::from_utf8(&field.text).ok().map(str::trim);
-            *number = text.and_then(R::parse).ok_or_else(|| {
+            let words = words_of(self.words, name);
+            let read = text.and_then(|text| match words {
+                None => R::parse(text),
+                Some(words) => Some(R::round_from(words.iter().position(|word| *word == text)? as f64)),
+            });
+            *number = read.ok_or_else(|| {
                 let Case { file, line, .. } = self;
                 let (column, found) = (field.column, shown(&field.text));
-                Error::Request(format!(
-                    "{file}:{line}:{column}: {found} in column `{name}` is not a number; \
-                     write a decimal such as -0.5 or 1e-3, or nan, or inf"
-                ))
+                let expected = match words {
+                    None => "not a number; write a decimal such as -0.5 or 1e-3, or nan, or inf".to_string(),
+                    Some(words) => format!("none of {}", words.join(", ")),
+                };
+                Error::Request(format!("{file}:{line}:{column}: {found} in column `{name}` is {expected}"))
             })?;
         }
         Ok(numbers)
     }
+}
+
+impl About {
+    /// A case as a row of a case file, in numbers that read back to the same values of the precision.
+    pub fn row_of(&self, case: &[f64], precision: Precision) -> String {
+        let field = |(name, &number): (&&str, &f64)| match (words_of(self.words, name), precision) {
+            (Some(words), _) => words.get(number as usize).copied().unwrap_or_default().to_string(),
+            (None, Precision::F32) => format!("{:?}", number as f32),
+            (None, Precision::F64) => format!("{number:?}"),
+        };
+        self.inputs.iter().zip(case).map(field).collect::<Vec<_>>().join(",")
+    }
+}
+
+/// The words that may stand in a column; `None` for a column of numbers.
+pub(crate) fn words_of(words: &[Words], column: &str) -> Option<&'static [&'static str]> {
+    words.iter().find(|(name, _)| *name == column).map(|(_, words)| *words)
 }
 
 /// One result row: values by the names of their columns. A column without a value stays empty.
@@ -111,6 +136,7 @@ pub(crate) struct CaseReader<'a, I> {
     /// How many columns the header has.
     width: usize,
     names: &'static [&'static str],
+    words: &'static [Words],
     /// Where each of `names` stands in a row.
     places: Vec<usize>,
     fields: Vec<Field>,
@@ -119,9 +145,14 @@ pub(crate) struct CaseReader<'a, I> {
 
 impl<'a, I: BufRead> CaseReader<'a, I> {
     /// Reads the header row. `file` is the name that errors give.
-    pub(crate) fn new(input: I, file: &'a str, names: &'static [&'static str]) -> Result<Self, Error> {
+    pub(crate) fn new(
+        input: I,
+        file: &'a str,
+        names: &'static [&'static str],
+        words: &'static [Words],
+    ) -> Result<Self, Error> {
         let (places, fields, csv) = (Vec::new(), Vec::new(), Reader::new());
-        let mut reader = CaseReader { input, file, line: 0, width: 0, names, places, fields, csv };
+        let mut reader = CaseReader { input, file, line: 0, width: 0, names, words, places, fields, csv };
         let expected = names.join(",");
         if !reader.read_fields()? {
             return Err(Error::Request(format!(
@@ -166,7 +197,7 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
             )));
         }
         let fields = self.places.iter().map(|&place| &self.fields[place]).collect();
-        Ok(Some(Case { file, line, names: self.names, fields }))
+        Ok(Some(Case { file, line, names: self.names, words: self.words, fields }))
     }
 
     /// Reads the next line that is not blank into `fields`; false at the end of the file.
@@ -245,9 +276,10 @@ mod tests {
     use super::*;
 
     const NAMES: &[&str] = &["ox", "dx"];
+    const WORDS: &[Words] = &[("dx", &["left", "right"])];
 
     fn read(text: &[u8]) -> Result<Vec<[f64; 2]>, Error> {
-        let mut reader = CaseReader::new(text, "cases.csv", NAMES)?;
+        let mut reader = CaseReader::new(text, "cases.csv", NAMES, &[])?;
         let mut rows = Vec::new();
         while let Some(case) = reader.next()? {
             rows.push(case.numbers()?);
@@ -278,10 +310,20 @@ mod tests {
     fn a_number_is_rounded_once_to_f32() {
         // just above the middle of 1 and its f32 successor: through f64 it would round down, to even
         let text = b"ox,dx\n1.00000005960464477540,0\n";
-        let mut reader = CaseReader::new(&text[..], "cases.csv", NAMES).unwrap();
+        let mut reader = CaseReader::new(&text[..], "cases.csv", NAMES, &[]).unwrap();
         let [x, _] = reader.next().unwrap().unwrap().numbers::<f32, 2>().unwrap();
         assert_eq!(x, 1.0 + f32::EPSILON);
         assert_eq!(1.000_000_059_604_644_8_f64 as f32, 1.0);
+    }
+
+    #[test]
+    fn a_word_is_its_place() {
+        let text = b"ox,dx\n3, right\n0,left\n0,1\n";
+        let mut reader = CaseReader::new(&text[..], "cases.csv", NAMES, WORDS).unwrap();
+        let mut next = || reader.next().unwrap().unwrap().numbers::<f64, 2>();
+        assert_eq!([next().unwrap(), next().unwrap()], [[3.0, 1.0], [0.0, 0.0]]);
+        let message = next().unwrap_err().to_string();
+        assert_eq!(message, "cases.csv:4:3: `1` in column `dx` is none of left, right");
     }
 
     #[test]

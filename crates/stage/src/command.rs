@@ -217,6 +217,7 @@ mod tests {
                 size: (2, 2),
                 picture: "",
                 inputs: &[],
+                words: &[],
                 results: &[],
                 trade: "",
                 regimes: vec![("ordinary", "as usual"), ("far", "far away")],

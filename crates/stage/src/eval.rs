@@ -41,7 +41,7 @@ fn answer(
     output: &mut dyn Write,
 ) -> Result<(), Error> {
     let about = stage.about();
-    let mut reader = CaseReader::new(input, name, about.inputs)?;
+    let mut reader = CaseReader::new(input, name, about.inputs, about.words)?;
     writeln!(output, "{}", about.results.join(",")).map_err(Error::from_output)?;
     while let Some(case) = reader.next()? {
         let row = stage.eval(ask, &case)?;

@@ -104,6 +104,7 @@ impl Subject<1> for Something {
             size: (1, 1),
             picture: "",
             inputs: &["case"],
+            words: &[],
             results: &["hit", "t"],
             trade: "",
             regimes: Vec::new(),
