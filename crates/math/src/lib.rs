@@ -6,10 +6,12 @@
 //! serves both precisions, and a chapter can show what the smaller one loses.
 //!
 //! [`two_part`], [`wide`] and [`exact`] are for the methods named `robust`: numbers with twice the
-//! digits, numbers that cannot overflow, and numbers that are not rounded at all.
+//! digits, numbers that cannot overflow, and numbers that are not rounded at all. [`Sure`] is what they have in
+//! common: a formula written once, worked out in plain `f64`, with twice the digits, or exactly.
 //!
 //! There is no input or output here, and nothing that teaches ray tracing.
 
+mod bounded;
 mod camera;
 pub mod exact;
 pub mod grid;
@@ -19,9 +21,11 @@ mod ray;
 mod real;
 mod roots;
 mod span;
+mod sure;
 pub mod two_part;
 pub mod wide;
 
+pub use bounded::Bounded;
 pub use camera::{Camera, Handedness, Window};
 pub use exact::Exact;
 pub use grid::{Grid, NoGrid};
@@ -30,5 +34,6 @@ pub use ray::{Ray2, Ray3};
 pub use real::{Real, Vector};
 pub use roots::Roots;
 pub use span::Span;
+pub use sure::{Quadratic, Sure};
 pub use two_part::TwoPart;
 pub use wide::Wide;
