@@ -11,7 +11,7 @@ use tests::{Folder, STAGES};
 
 use crate::bars::Bars;
 use crate::draw::Draw;
-use crate::exact::{Answer, answers, assert_none, number};
+use crate::exact::{Answer, answers, assert_none, case_of, number};
 
 const ROWS: usize = 2000;
 const SEED: u64 = 20260101;
@@ -52,7 +52,7 @@ fn every_answer_is_in_order() {
     for stage in STAGES {
         let about = stage.about();
         failures.extend(faults(*stage, &about.methods, |answer, method, precision| {
-            let case = case(answer, about.inputs, precision);
+            let case = case_of(&answer.want, &about, precision);
             disorder(answer).or_else(|| match about.name {
                 "pinhole" => wrong_reason(answer, method, &case, precision),
                 _ => wrong_hit(answer, about.inputs, &case),
@@ -60,11 +60,6 @@ fn every_answer_is_in_order() {
         }));
     }
     assert_none(failures);
-}
-
-/// The numbers of a case in the order of its columns, as the precision reads them.
-fn case(answer: &Answer, columns: &[&str], precision: Precision) -> Vec<f64> {
-    columns.iter().map(|column| number(answer.want.text(column), precision)).collect()
 }
 
 /// NaN anywhere, or a parameter behind the origin.
@@ -149,7 +144,7 @@ fn what_robust_decides_is_true() {
         let bars = Bars::of(about.name);
         let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
         failures.extend(faults(*stage, &["robust"], |answer, _, precision| {
-            let case = case(answer, about.inputs, precision);
+            let case = case_of(&answer.want, &about, precision);
             let verdict = exact_verdict(about.name, &case);
             let what = match &verdict {
                 Verdict::Hit { .. } => "hit",

@@ -32,7 +32,7 @@ fn bad_files(stage: &dyn Stage) -> Vec<Bad> {
         file: file.as_ref().to_vec(),
         place: format!("{line}:{column}"),
     };
-    vec![
+    let mut files = vec![
         bad("an empty file", &"", (1, 1)),
         bad("blank lines only", &"\n\n\n", (1, 1)),
         bad("no header row", &format!("{row}\n"), (1, 1)),
@@ -55,7 +55,15 @@ fn bad_files(stage: &dyn Stage) -> Vec<Bad> {
         bad("a column that stands twice", &format!("{header},{first}\n{row},1\n"), (1, header.len() + 2)),
         bad("a very long header row", &vec![b'x'; 3 << 20], (1, 1 << 20)),
         bad("a very long row", &[start.as_bytes(), &vec![b'1'; 3 << 20]].concat(), (3, 1 << 20)),
-    ]
+    ];
+    for (column, _) in stage.about().words {
+        let place = stage.about().inputs.iter().position(|name| name == column).unwrap();
+        let at = 1 + row.split(',').take(place).map(|field| field.len() + 1).sum::<usize>();
+        files.push(bad("a word that there is not", &with(column, "teapot"), (3, at)));
+        files.push(bad("a number for a word", &with(column, "0"), (3, at)));
+        files.push(bad("a word in capitals", &with(column, "SPHERE"), (3, at)));
+    }
+    files
 }
 
 /// Bytes of every kind, the same on every run (Knuth's MMIX generator).
@@ -133,7 +141,8 @@ fn standard_input_is_named_too() {
 fn what_is_not_finite_is_an_invalid_case_and_no_error() {
     for stage in STAGES {
         let about = stage.about();
-        for column in about.inputs {
+        let is_word = |column: &str| about.words.iter().any(|(name, _)| *name == column);
+        for column in about.inputs.iter().filter(|column| !is_word(column)) {
             for number in ["nan", "NaN", "inf", "-inf", "1e400", "-1e400"] {
                 let row = row_with(*stage, column, number);
                 let cases = format!("{}\n{row}\n{}\n", header(*stage), plain_row(*stage));

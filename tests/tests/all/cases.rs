@@ -1,6 +1,6 @@
 //! Case files made for a test, whatever columns the stage has.
 
-use stage::Stage;
+use stage::{About, Stage};
 use tests::Folder;
 
 use crate::process::run_with_input;
@@ -18,12 +18,15 @@ pub(crate) fn plain_row(stage: &dyn Stage) -> String {
 /// The plain row with another text in one of its columns.
 pub(crate) fn row_with(stage: &dyn Stage, column: &str, text: &str) -> String {
     let about = stage.about();
-    let fields = about.inputs.iter().map(|name| if *name == column { text } else { plain(name) });
+    let fields = about.inputs.iter().map(|name| if *name == column { text } else { plain(&about, name) });
     fields.collect::<Vec<_>>().join(",")
 }
 
 /// An ordinary value for a column, by its name in the contract.
-fn plain(column: &str) -> &'static str {
+fn plain(about: &About, column: &str) -> &'static str {
+    if let Some((_, words)) = about.words.iter().find(|(name, _)| *name == column) {
+        return words[0];
+    }
     match column {
         "ox" | "oy" | "oz" => "0",
         "width" => "5",
@@ -32,6 +35,8 @@ fn plain(column: &str) -> &'static str {
         "front" => "4",
         "back" => "4.5",
         "cx" | "cy" | "cz" | "px" | "py" | "pz" => "2",
+        "ay" | "az" | "bx" | "bz" => "0",
+        "a11" | "a22" | "a33" => "2",
         _ => "1",
     }
 }

@@ -1,6 +1,6 @@
 //! Cases drawn at random, the same for the same seed: ordinary numbers, and those that break formulas.
 
-use stage::{Precision, Stage};
+use stage::{About, Precision, Stage};
 
 /// A source of cases.
 pub(crate) struct Draw {
@@ -36,16 +36,19 @@ impl Draw {
         let about = stage.about();
         let rows = (0..rows).map(|_| {
             let (regime, mut row) = self.row(about.inputs);
+            for (column, words) in about.words {
+                let place = about.inputs.iter().position(|name| name == column).unwrap();
+                row[place] = self.below(words.len() as u64) as f64;
+            }
             let tied = self.tie(about.inputs, &mut row);
             if (tied || regime == "exact") && self.below(4) == 0 {
                 // One number a digit off.
-                let place = self.below(row.len() as u64) as usize;
+                let place = self.place_of_a_number(&about);
                 row[place] = self.next_up(row[place]);
             }
             self.make_possible(about.inputs, &mut row);
-            self.spoil(about.inputs, &mut row);
-            let fields: Vec<String> = row.iter().map(|number| self.text(*number)).collect();
-            format!("{},{regime}\n", fields.join(","))
+            self.spoil(&about, &mut row);
+            format!("{},{regime}\n", about.row_of(&row, self.precision))
         });
         let rows: String = rows.collect();
         format!("{},regime\n{rows}", about.inputs.join(","))
@@ -101,6 +104,39 @@ impl Draw {
                 set(row, name, number);
             }
         }
+        if let Some([az, bz, cz, dz]) = places(columns, ["az", "bz", "cz", "dz"])
+            && along
+        {
+            // A triangle across the z axis, and a ray that is, too; with `on` it runs within it.
+            (row[bz], row[cz], row[dz]) = (row[az], row[az], 0.0);
+        }
+        if on && let Some([o, a]) = places(columns, ["ox", "ax"]) {
+            // The origin at a corner.
+            row.copy_within(a..a + 3, o);
+        }
+        if let Some([ox, oy, dx, dy, _]) = places(columns, ["ox", "oy", "dx", "dy", "shape"]) {
+            if on {
+                // The origin on the wall of the unit cylinder, where it is not deformed.
+                (row[ox], row[oy]) = (1.0, 0.0);
+            }
+            if along {
+                (row[dx], row[dy]) = (0.0, 0.0);
+            }
+        }
+        if let Some([dz, a13, a23, a31, a32]) = places(columns, ["dz", "a13", "a23", "a31", "a32"])
+            && along
+        {
+            // The z axis stays: the ray is parallel to a plane across it, and with `on` lies in it.
+            for zero in [dz, a13, a23, a31, a32] {
+                row[zero] = 0.0;
+            }
+            if let Some([oz, tz, dx]) = places(columns, ["oz", "tz", "dx"]) {
+                row[dx] = 1.0;
+                if on {
+                    row[oz] = row[tz];
+                }
+            }
+        }
         if along && place("r").is_some() {
             // Down the z axis at a distance r from the center; with `on` it touches at t = 0.
             let [cy, r] = ["cy", "r"].map(|name| get(row, name).unwrap());
@@ -140,10 +176,11 @@ impl Draw {
     }
 
     /// Makes a few cases invalid: a number that is not finite, a vector of zeros.
-    fn spoil(&mut self, columns: &[&str], row: &mut [f64]) {
+    fn spoil(&mut self, about: &About, row: &mut [f64]) {
+        let columns = about.inputs;
         match self.below(64) {
             0 => {
-                let place = self.below(row.len() as u64) as usize;
+                let place = self.place_of_a_number(about);
                 row[place] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][self.below(3) as usize];
             }
             1 => {
@@ -154,6 +191,16 @@ impl Draw {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// The place of a column that holds no word.
+    fn place_of_a_number(&mut self, about: &About) -> usize {
+        loop {
+            let place = self.below(about.inputs.len() as u64) as usize;
+            if about.words.iter().all(|(column, _)| *column != about.inputs[place]) {
+                return place;
+            }
         }
     }
 
@@ -227,14 +274,6 @@ impl Draw {
         }
     }
 
-    /// The shortest decimal that reads back to the number.
-    fn text(&self, number: f64) -> String {
-        match self.precision {
-            Precision::F32 => format!("{:?}", number as f32),
-            Precision::F64 => format!("{number:?}"),
-        }
-    }
-
     /// A whole number from 0 to `count` − 1; a bias of count / 2^64 does no harm.
     fn below(&mut self, count: u64) -> u64 {
         self.next() % count
@@ -253,6 +292,12 @@ impl Draw {
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         bits ^ (bits >> 31)
     }
+}
+
+/// The places of columns; `None` where one of them is missing.
+fn places<const N: usize>(columns: &[&str], names: [&str; N]) -> Option<[usize; N]> {
+    let found = names.map(|name| columns.iter().position(|column| *column == name));
+    found.iter().all(Option::is_some).then(|| found.map(Option::unwrap_or_default))
 }
 
 /// A component of a direction or of a normal.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stage::Precision;
+use stage::{About, Precision};
 
 use crate::process::run;
 
@@ -100,6 +100,21 @@ pub(crate) fn number(text: &str, precision: Precision) -> f64 {
         Precision::F64 => text.parse::<f64>(),
     }
     .unwrap_or_else(|_| panic!("`{text}` is no number"))
+}
+
+/// The numbers of a case in the order of the stage's columns, as a precision reads them; a word is its place.
+pub(crate) fn case_of(record: &Record, about: &About, precision: Precision) -> Vec<f64> {
+    let value = |column: &&str| {
+        let text = record.text(column);
+        match about.words.iter().find(|(name, _)| name == column) {
+            None => number(text, precision),
+            Some((_, words)) => {
+                let place = words.iter().position(|word| *word == text);
+                place.unwrap_or_else(|| panic!("`{text}` is none of {words:?}")) as f64
+            }
+        }
+    };
+    about.inputs.iter().map(value).collect()
 }
 
 /// Fails with the first few of the failures.

@@ -9,7 +9,7 @@ use lab::{Truth, oracle};
 use stage::Precision;
 use tests::STAGES;
 
-use crate::exact::{Record, assert_none, case_file, number, records};
+use crate::exact::{Record, assert_none, case_file, case_of, number, records};
 
 /// What the oracle says of a stage's case, its numbers in the order of the columns.
 fn truth(stage: &str, case: &[f64], precision: Precision) -> Truth {
@@ -30,8 +30,7 @@ fn the_oracle_agrees_with_every_exact_answer_to_the_last_bit() {
             let Ok(text) = fs::read_to_string(&file) else { continue };
             files += 1;
             for (i, want) in records(&text).iter().enumerate() {
-                let case = stage.inputs.iter().map(|column| number(want.text(column), precision));
-                let got = truth(stage.name, &case.collect::<Vec<f64>>(), precision);
+                let got = truth(stage.name, &case_of(want, &stage, precision), precision);
                 let fault = fault(want, &got, precision);
                 failures.extend(fault.map(|fault| format!("{fault}; {}:{}", file.display(), i + 2)));
             }

@@ -12,6 +12,7 @@ use ray_sphere::stage::RaySphere;
 use ray_wall::stage::RayWall;
 use stage::Precision;
 use stage::Precision::{F32, F64};
+use tests::stage_named;
 
 use crate::bars::Bars;
 use crate::exact::assert_none;
@@ -39,7 +40,6 @@ pub(crate) fn seed() -> u64 {
 /// What became of a regime at one precision.
 pub(crate) struct Judged {
     pub(crate) stage: &'static str,
-    columns: &'static [&'static str],
     pub(crate) regime: &'static str,
     /// What the regime says of the notes' methods.
     notes: Notes,
@@ -80,7 +80,6 @@ fn judge<R: Real, const N: usize>(subject: &impl Subject<N>, regime: &Regime<N>)
     let none = |method| Losses { method, accuracy: Accuracy::default(), wrong: None, worst: None };
     let mut judged = Judged {
         stage: about.name,
-        columns: about.inputs,
         regime: regime.name,
         notes: regime.notes,
         precision,
@@ -142,12 +141,13 @@ impl Judged {
         let (stage, precision, seed) = (self.stage, self.precision.name(), seed());
         let place = format!("{stage} {}, {precision}, seed {seed}, {method}", self.regime);
         let Some(case) = case else { return place };
-        let numbers: Vec<String> = case.iter().map(|&number| digits(number, self.precision)).collect();
+        let about = stage_named(stage).expect("a stage").about();
+        let row = about.row_of(case, self.precision);
         format!(
             "{place}\n  printf '%s\\n' '{}' '{}' | \
              cargo run -q -p {stage} -- eval --method {method} --precision {precision}",
-            self.columns.join(","),
-            numbers.join(",")
+            about.inputs.join(","),
+            row
         )
     }
 
@@ -192,14 +192,6 @@ impl Judged {
             format!("t is {} ulps off, the bar is {bar}; {place}", losses.worst_t())
         });
         self.wrong(losses).into_iter().chain(off).collect()
-    }
-}
-
-/// A number so that it reads back to the same value of the precision.
-fn digits(number: f64, precision: Precision) -> String {
-    match precision {
-        F32 => format!("{:?}", number as f32),
-        F64 => format!("{number:?}"),
     }
 }
 
