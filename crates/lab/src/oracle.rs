@@ -33,6 +33,7 @@ mod rounding;
 mod sphere;
 #[cfg(test)]
 mod testing;
+mod triangle;
 mod vector;
 mod verdict;
 mod wall;
@@ -42,5 +43,6 @@ pub use grid::pixel;
 pub use plane::{exact_plane, plane};
 pub use root::ExactRoot;
 pub use sphere::{exact_sphere, sphere};
+pub use triangle::{exact_triangle, triangle};
 pub use verdict::Verdict;
 pub use wall::{exact_wall, wall};

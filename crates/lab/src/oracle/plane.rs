@@ -1,10 +1,10 @@
 //! The plane: n · (p_0 − p_r) / n · u_r.
 
-use math::{Degenerate, Parallel};
+use math::Degenerate;
 use stage::Precision;
 
-use super::vector::{difference, dot, vectors};
-use super::{Dyadic, ExactRoot, Verdict};
+use super::vector::{difference, dot, is_zero, vectors};
+use super::{ExactRoot, Verdict};
 use crate::Truth;
 
 /// What is true of a ray and a plane, from the columns `ox,oy,oz,dx,dy,dz,px,py,pz,nx,ny,nz`.
@@ -21,17 +21,16 @@ pub fn exact_plane(case: [f64; 12]) -> Verdict {
         return Verdict::Invalid(Degenerate::NotFinite.reason());
     }
     let [p_r, u_r, p_0, n] = vectors(&case);
-    if u_r.iter().all(Dyadic::is_zero) {
+    if is_zero(&u_r) {
         return Verdict::Invalid(Degenerate::ZeroDirection.reason());
     }
-    if n.iter().all(Dyadic::is_zero) {
+    if is_zero(&n) {
         return Verdict::Invalid(Degenerate::ZeroNormal.reason());
     }
     // How far the plane is above the origin, and how fast the ray rises, along n.
     let (above, rise) = (dot(&n, &difference(&p_0, &p_r)), dot(&n, &u_r));
     if rise.is_zero() {
-        let parallel = if above.is_zero() { Parallel::Within } else { Parallel::Apart };
-        return Verdict::Miss(parallel.reason());
+        return Verdict::along(above.is_zero());
     }
     Verdict::at(ExactRoot::quotient(above, rise))
 }
@@ -39,6 +38,7 @@ pub fn exact_plane(case: [f64; 12]) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::oracle::Dyadic;
     use crate::oracle::testing::{assert_rounded, floats, for_drawn};
 
     /// The plane through `point`, with the normal (1, 1, 1), from `origin`.

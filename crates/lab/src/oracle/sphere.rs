@@ -4,7 +4,7 @@ use math::Degenerate;
 use stage::Precision;
 
 use super::quadratic::Quadratic;
-use super::vector::{difference, dot, vectors};
+use super::vector::{difference, dot, is_zero, vectors};
 use super::{Dyadic, ExactRoot, Verdict};
 use crate::Truth;
 
@@ -22,7 +22,7 @@ pub fn exact_sphere(case: [f64; 10]) -> Verdict {
         return Verdict::Invalid(Degenerate::NotFinite.reason());
     }
     let ([p_r, d, center], r) = (vectors(&case), case[9]);
-    if d.iter().all(Dyadic::is_zero) {
+    if is_zero(&d) {
         return Verdict::Invalid(Degenerate::ZeroDirection.reason());
     }
     if r <= 0.0 {
@@ -44,6 +44,7 @@ mod tests {
 
     use super::*;
     use crate::oracle::testing::{assert_rounded, floats, for_drawn};
+    use crate::oracle::vector::cross;
 
     /// A ray up the z axis, at (x, 0, 0), and a sphere around (0, 0, z).
     fn truth(x: f64, z: f64, r: f64) -> Truth {
@@ -131,11 +132,7 @@ mod tests {
 
     /// The line passes the center at more than r: ‖L × d‖ > r ‖d‖.
     fn is_beside(p_r: &[Dyadic; 3], d: &[Dyadic; 3], center: &[Dyadic; 3], r: &Dyadic) -> bool {
-        let l = difference(center, p_r);
-        let cross: [Dyadic; 3] = std::array::from_fn(|axis| {
-            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-            &(&l[next] * &d[last]) - &(&l[last] * &d[next])
-        });
-        (&dot(&cross, &cross) - &(&r.square() * &dot(d, d))).sign().is_gt()
+        let area = cross(&difference(center, p_r), d);
+        (&dot(&area, &area) - &(&r.square() * &dot(d, d))).sign().is_gt()
     }
 }

@@ -1,5 +1,6 @@
 //! What is true of a case, before anything is rounded.
 
+use math::Parallel;
 use stage::Precision;
 
 use super::ExactRoot;
@@ -37,6 +38,12 @@ impl Verdict {
     /// A line that meets a surface without an inside at one root.
     pub(super) fn at(t: ExactRoot) -> Verdict {
         if t.is_ahead() { Verdict::Hit { t, out: None } } else { Verdict::Miss("") }
+    }
+
+    /// A line along a plane, in it or not: a miss either way.
+    pub(super) fn along(within: bool) -> Verdict {
+        let parallel = if within { Parallel::Within } else { Parallel::Apart };
+        Verdict::Miss(parallel.reason())
     }
 
     /// With its roots written down.

@@ -1,6 +1,6 @@
 //! The wall: (x − p_x) / u_x for both faces.
 
-use math::{Degenerate, Parallel};
+use math::Degenerate;
 use stage::Precision;
 
 use super::{Dyadic, ExactRoot, Verdict};
@@ -21,8 +21,7 @@ pub fn exact_wall(case: [f64; 6]) -> Verdict {
     }
     let [ox, _, dx, _, front, back] = case;
     if dx == 0.0 {
-        let parallel = if ox == front || ox == back { Parallel::Within } else { Parallel::Apart };
-        return Verdict::Miss(parallel.reason());
+        return Verdict::along(ox == front || ox == back);
     }
     let [p_x, u_x, front, back] = [ox, dx, front, back].map(Dyadic::of);
     let [t_front, t_back] = [front, back].map(|x| ExactRoot::quotient(&x - &p_x, u_x.clone()));
