@@ -23,17 +23,25 @@
 //!
 //! [`Wide`]: math::Wide
 
+mod cone;
 mod digits;
 mod dyadic;
+mod flat;
 mod grid;
 mod plane;
 mod quadratic;
+mod quadric;
 mod root;
+mod round;
 mod rounding;
+#[cfg(test)]
+mod seen;
 mod sphere;
+mod stretch;
 #[cfg(test)]
 mod testing;
 mod triangle;
+mod unit;
 mod vector;
 mod verdict;
 mod wall;
@@ -41,8 +49,10 @@ mod wall;
 pub use dyadic::Dyadic;
 pub use grid::pixel;
 pub use plane::{exact_plane, plane};
+pub use quadric::{exact_quadric, quadric};
 pub use root::ExactRoot;
 pub use sphere::{exact_sphere, sphere};
 pub use triangle::{exact_triangle, triangle};
+pub use unit::UnitObject;
 pub use verdict::Verdict;
 pub use wall::{exact_wall, wall};

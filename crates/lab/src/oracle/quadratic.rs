@@ -18,7 +18,7 @@ pub(super) struct Quadratic {
 }
 
 /// One of the two roots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Which {
     /// (B − √D) / A, where the line enters.
     Smaller,
@@ -46,17 +46,27 @@ impl Quadratic {
 
     /// How a root compares with `t`.
     pub(super) fn compared_with(&self, which: Which, t: &Dyadic) -> Ordering {
-        let a_t = &self.a * t;
+        self.compared_with_quotient(which, t, &Dyadic::of(1.0))
+    }
+
+    /// How a root compares with n / d, for d > 0.
+    pub(super) fn compared_with_quotient(&self, which: Which, n: &Dyadic, d: &Dyadic) -> Ordering {
+        let (a_n, b_d) = (&self.a * n, &self.b * d);
         // B / A, where the line is deepest, is midway between the roots.
-        let beyond_the_middle = (&a_t - &self.b).sign();
-        // On its own side of the middle a root is where the polynomial changes its sign.
-        let polynomial = || (&(&(&a_t - &(&self.b + &self.b)) * t) + &self.c).sign();
+        let beyond_the_middle = (&a_n - &b_d).sign();
+        // On its own side of the middle a root is where the polynomial changes its sign. Times d²:
+        let polynomial = || (&(&(&a_n - &(&b_d + &b_d)) * n) + &(&self.c * &d.square())).sign();
         match (which, beyond_the_middle) {
             (Which::Smaller, Ordering::Greater) => Ordering::Less,
             (Which::Larger, Ordering::Less) => Ordering::Greater,
             (Which::Smaller, _) => polynomial(),
             (Which::Larger, _) => polynomial().reverse(),
         }
+    }
+
+    /// Whether both roots are one.
+    pub(super) fn is_tangent(&self) -> bool {
+        self.discriminant.is_zero()
     }
 
     /// The leading digits of a root, without a difference whose digits could cancel.
@@ -112,6 +122,14 @@ mod tests {
             assert_eq!(compared(&equation, 5.0), [Less, Equal]);
             assert_eq!(compared(&equation, 5.0_f64.next_up()), [Less, Less]);
         }
+        // by hand: 9 (t − 1/3)(t + 5/3) = 9 t² + 12 t − 5, at quotients that are no floats
+        let thirds = equation([9.0, -6.0, -5.0]).unwrap();
+        let at = |n, d| {
+            let [n, d] = [n, d].map(Dyadic::of);
+            [Which::Smaller, Which::Larger].map(|which| thirds.compared_with_quotient(which, &n, &d))
+        };
+        assert_eq!([at(1.0, 3.0), at(-5.0, 3.0)], [[Less, Equal], [Equal, Greater]]);
+        assert_eq!([at(1.0_f64.next_up(), 3.0), at(1.0, 3.0_f64.next_up())], [[Less, Less], [Less, Greater]]);
         // by hand: (t + 1)² touches at −1
         assert_eq!(compared(&equation([1.0, -1.0, 1.0]).unwrap(), -1.0), [Equal, Equal]);
     }

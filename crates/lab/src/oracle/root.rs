@@ -45,6 +45,23 @@ impl ExactRoot {
         }
     }
 
+    /// How it compares with another one. Panics for roots of two different equations with t².
+    pub(super) fn compared_with_root(&self, other: &ExactRoot) -> Ordering {
+        match (&self.0, &other.0) {
+            (Equation::Linear { n, d }, Equation::Linear { n: other_n, d: other_d }) => {
+                (&(n * other_d) - &(other_n * d)).sign()
+            }
+            (Equation::Quadratic(equation, which), Equation::Linear { n, d }) => {
+                equation.compared_with_quotient(*which, n, d)
+            }
+            (Equation::Linear { .. }, Equation::Quadratic(..)) => other.compared_with_root(self).reverse(),
+            (Equation::Quadratic(equation, which), Equation::Quadratic(other_equation, other_which)) => {
+                assert!(Arc::ptr_eq(equation, other_equation), "roots of two equations");
+                if equation.is_tangent() { Ordering::Equal } else { which.cmp(other_which) }
+            }
+        }
+    }
+
     /// It is not behind the origin of the ray: t ≥ 0.
     pub fn is_ahead(&self) -> bool {
         self.compared_with(&Dyadic::of(0.0)).is_ge()
@@ -89,6 +106,32 @@ mod tests {
                 let want = processor(x, y) + 0.0;
                 assert_eq!(got.to_bits(), want.to_bits(), "{name} {x:e} {y:e}: want {want:e}, got {got:e}");
             }
+        }
+    }
+
+    #[test]
+    fn roots_are_compared_with_roots() {
+        use Ordering::{Equal, Greater, Less};
+        let quotient = |n, d| ExactRoot::quotient(Dyadic::of(n), Dyadic::of(d));
+        let roots = |coefficients: [f64; 3]| {
+            let [a, b, c] = coefficients.map(Dyadic::of);
+            ExactRoot::roots(Quadratic::new(a, b, c).expect("real roots"))
+        };
+        // by hand: −1/√2 and 1/√2 = 0.7071…; 1/3 twice
+        let ([low, high], [one, same]) = (roots([2.0, 0.0, -1.0]), roots([9.0, 3.0, 1.0]));
+        let third = quotient(1.0, 3.0);
+        for (left, right, order) in [
+            (&low, &high, Less),
+            (&high, &high, Equal),
+            (&one, &same, Equal),
+            (&one, &third, Equal),
+            (&high, &quotient(7.0, 10.0), Greater),
+            (&high, &quotient(-8.0, -11.0), Less),
+            (&third, &quotient(-2.0, -6.0), Equal),
+            (&third, &quotient(1.0, 3.0_f64.next_up()), Greater),
+        ] {
+            assert_eq!(left.compared_with_root(right), order, "{left:?} {right:?}");
+            assert_eq!(right.compared_with_root(left), order.reverse(), "{right:?} {left:?}");
         }
     }
 

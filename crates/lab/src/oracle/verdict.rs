@@ -3,7 +3,8 @@
 use math::Parallel;
 use stage::Precision;
 
-use super::ExactRoot;
+use super::stretch::Stretch;
+use super::{Dyadic, ExactRoot};
 use crate::Truth;
 
 /// The exact answer to a case: a [`Truth`] whose roots are not written down yet.
@@ -38,6 +39,24 @@ impl Verdict {
     /// A line that meets a surface without an inside at one root.
     pub(super) fn at(t: ExactRoot) -> Verdict {
         if t.is_ahead() { Verdict::Hit { t, out: None } } else { Verdict::Miss("") }
+    }
+
+    /// A line that runs in a closed convex solid along a stretch, and what of the solid's boundary it meets
+    /// first: where it enters, the origin if that is on the boundary, or else where it leaves.
+    pub(super) fn boundary(stretch: Option<Stretch>, starts_strictly_inside: bool) -> Verdict {
+        let Some([near, far]) = stretch.map(Stretch::ends) else {
+            return Verdict::Miss("");
+        };
+        if near.is_ahead() {
+            Verdict::Hit { t: near, out: None }
+        } else if !far.is_ahead() {
+            Verdict::Miss("")
+        } else if starts_strictly_inside {
+            Verdict::Hit { t: far, out: None }
+        } else {
+            let [zero, one] = [0.0, 1.0].map(Dyadic::of);
+            Verdict::Hit { t: ExactRoot::quotient(zero, one), out: None }
+        }
     }
 
     /// A line along a plane, in it or not: a miss either way.
