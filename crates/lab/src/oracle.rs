@@ -7,6 +7,10 @@
 //! [`ExactRoot`] is compared with a number by putting the number into its equation, and that again is
 //! the sign of an integer.
 //!
+//! A solid of several surfaces is convex: what the line has inside the wall and between the caps is one
+//! stretch each, and the ends of what they have in common are found by such questions alone. An affine object
+//! is a unit object seen by a ray that the adjugate has taken back, and a division by det A is a change of scale.
+//!
 //! Only what is written down is rounded, and the rounding is decided too. Integer division and integer
 //! square root give the leading 126 bits of the root and an interval that holds it. If the interval
 //! lies on one side of the midpoint of two neighboring floats, that is the decision; if not, the root
@@ -23,6 +27,7 @@
 //!
 //! [`Wide`]: math::Wide
 
+mod affine;
 mod cone;
 mod digits;
 mod dyadic;
@@ -46,6 +51,7 @@ mod vector;
 mod verdict;
 mod wall;
 
+pub use affine::{affine, exact_affine};
 pub use dyadic::Dyadic;
 pub use grid::pixel;
 pub use plane::{exact_plane, plane};
