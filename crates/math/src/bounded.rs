@@ -53,7 +53,8 @@ impl<T> Bounded<T> {
     #[inline(always)]
     fn rounded<R: Real>(t: f64, error: f64) -> Option<R> {
         // A unit of the last digit of t is at least 2^(1 − DIGITS) · |t| / 2.
-        let quarter = if R::DIGITS == f64::DIGITS { ROUNDING / 8.0 } else { f64::from(f32::EPSILON) / 8.0 };
+        let quarter =
+            if R::DIGITS == f64::MANTISSA_DIGITS { ROUNDING / 8.0 } else { f64::from(f32::EPSILON) / 8.0 };
         // What is subnormal has fewer digits; what is exactly zero is certain.
         let is_sure = error * SLACK <= quarter * t.abs() && (SMALLEST_SAFE..f64::INFINITY).contains(&t.abs());
         (is_sure || t == 0.0 && error == 0.0).then(|| R::root_from(t))
@@ -378,6 +379,19 @@ mod tests {
             }
         }
         assert!(found.iter().all(|&count| count > 15_000), "{found:?}");
+    }
+
+    #[test]
+    fn one_rounding_of_f64_is_too_many_for_f64_and_none_for_f32() {
+        let [n, d] = [1.0, 3.0].map(<Bounded<f64>>::of);
+        assert_eq!(Sure::quotient::<f64>(&n, &d), None);
+        assert_eq!(Sure::quotient::<f32>(&n, &d), Some(1.0 / 3.0));
+        let off = Bounded { value: TwoPart::from(1.0), error: f64::EPSILON };
+        assert_eq!(
+            Sure::quotient::<f64>(&off, &<Bounded<TwoPart>>::of(1.0)),
+            None,
+            "a digit off is too much"
+        );
     }
 
     #[test]
