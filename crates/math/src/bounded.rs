@@ -37,6 +37,13 @@ impl<T> Bounded<T> {
         Bounded { value, error: 0.0 }
     }
 
+    /// Zero and nothing else, where `hi` is all but the last digits of the value. (A product of two errors may vanish,
+    /// so that it is no sign of it.)
+    #[inline(always)]
+    fn is_zero(&self, hi: f64) -> bool {
+        hi == 0.0 && self.error == 0.0
+    }
+
     /// How `hi`, all but the last digits of the value, compares with zero.
     #[inline(always)]
     fn sign_of(hi: f64, error: f64) -> Option<Ordering> {
@@ -82,7 +89,7 @@ impl Mul for Bounded<f64> {
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         let error = self.value.abs() * other.error + (other.value.abs() + other.error) * self.error;
-        let is_zero = error == 0.0 && (self.value == 0.0 || other.value == 0.0);
+        let is_zero = self.is_zero(self.value) || other.is_zero(other.value);
         Bounded { value, error: error + ROUNDING * value.abs() + vanished(value, is_zero) }
     }
 }
@@ -180,7 +187,7 @@ impl Mul for Bounded<TwoPart> {
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         let error = self.value.hi.abs() * other.error + (other.value.hi.abs() + other.error) * self.error;
-        let is_zero = error == 0.0 && (self.value.hi == 0.0 || other.value.hi == 0.0);
+        let is_zero = self.is_zero(self.value.hi) || other.is_zero(other.value.hi);
         let rounding = ROUNDING_OF_TWO_PARTS * value.hi.abs();
         // The lower part vanishes long before the upper one.
         let lost = vanished(value.hi * LOWER_PART, is_zero);
@@ -400,6 +407,11 @@ mod tests {
         assert_eq!(zero.sign(), Some(Ordering::Equal));
         let vanished = <Bounded<f64> as Sure>::product(1e-200, 1e-200);
         assert_eq!((vanished.value, vanished.sign()), (0.0, None));
+        // nor is it zero times a number so small that the error vanishes as well
+        let again = vanished * <Bounded<f64> as Sure>::of(1e-200);
+        assert_eq!((again.value, again.sign()), (0.0, None));
+        let vanished = <Bounded<TwoPart> as Sure>::product(1e-200, 1e-200);
+        assert_eq!((vanished * <Bounded<TwoPart> as Sure>::of(1e-200)).sign(), None);
         let overflown = <Bounded<TwoPart> as Sure>::product(1e200, -1e200);
         let small = overflown * Bounded::exactly(TwoPart::from(1e-200));
         assert_eq!((small + Bounded::exactly(TwoPart::from(1e250))).sign(), None, "1e250 − 1e200");
