@@ -1,0 +1,74 @@
+//! Has a triangle an area? Exactly.
+//!
+//! Its corners lie on one line if n = (p̄2 − p̄1) × (p̄3 − p̄1) is zero. Computed, n is almost never zero and
+//! almost always a little wrong, so "too small" would refuse slivers and accept lines. Here the three
+//! components are taken to be zero only if they are, as real numbers of the corners as given.
+
+use std::cmp::Ordering;
+
+use math::{Bounded, Exact, Real, Sure, TwoPart, Vector};
+
+use crate::Triangle;
+
+/// Whether n ≠ 0. The corners must be finite.
+pub fn has_area<R: Real>(triangle: &Triangle<R>) -> bool {
+    let corners = triangle.corners().map(Vector::in_f64::<3>);
+    // One component that is surely not zero is enough; that all are zero, only exact numbers can say.
+    is_not_zero(normal::<Bounded<f64>>(corners))
+        || is_not_zero(normal::<Bounded<TwoPart>>(corners))
+        || is_not_zero(normal::<Exact>(corners))
+}
+
+/// n = (p̄2 − p̄1) × (p̄3 − p̄1)
+#[inline(always)]
+pub(crate) fn normal<N: Sure>([p1, p2, p3]: [[f64; 3]; 3]) -> [N; 3] {
+    let edge = |to: [f64; 3]| -> [N; 3] { std::array::from_fn(|axis| N::difference(to[axis], p1[axis])) };
+    N::cross(&edge(p2), &edge(p3))
+}
+
+fn is_not_zero<N: Sure>(n: [N; 3]) -> bool {
+    n.iter().any(|component| component.sign().is_some_and(Ordering::is_ne))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    fn spans(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
+        has_area(&Triangle::<f64> { a: a.into(), b: b.into(), c: c.into() })
+    }
+
+    #[test]
+    fn corners_on_one_line_have_no_area() {
+        assert!(!spans([1.0, 2.0, 3.0], [1.0, 2.0, 3.0], [4.0, 5.0, 6.0]), "two corners are one");
+        assert!(!spans([1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [-3.0, -6.0, -9.0]), "on a line");
+        assert!(!spans([0.0; 3], [1e300, 0.0, 0.0], [-1e300, 0.0, 0.0]), "products overflow");
+        assert!(!spans([0.0; 3], [1e-300, 1e-300, 0.0], [5e-324, 5e-324, 0.0]), "products vanish");
+    }
+
+    #[test]
+    fn a_sliver_has_an_area_however_thin() {
+        assert!(spans([0.0; 3], [1.0, 0.0, 0.0], [0.5, 1e-300, 0.0]));
+        assert!(spans([0.0; 3], [1e-200, 0.0, 0.0], [0.0, 1e-200, 0.0]), "n = 1e−400, which is no f64");
+        assert!(spans([0.0; 3], [1e200, 0.0, 0.0], [0.0, 1e200, 0.0]), "n = 1e400");
+        // as decimal numbers these lie on a line; as floats they do not
+        assert!(spans([0.0; 3], [0.1, 0.3, 0.0], [0.3, 0.9, 0.0]));
+        assert!(!spans([0.0; 3], [0.5, 1.5, 0.0], [1.5, 4.5, 0.0]));
+    }
+
+    /// The computed normal is no judge: here it is zero, and the corners are on no line.
+    #[test]
+    fn a_normal_that_cancels_is_not_zero() {
+        let up = 1.0_f32.next_up();
+        let triangle = Triangle::<f32> {
+            a: Vec3::ZERO,
+            b: Vec3::new(up, 1.0, 0.0),
+            c: Vec3::new(1.0, 1.0_f32.next_down(), 0.0),
+        };
+        // by hand: (1 + 2ε)(1 − ε) − 1 = ε − 2ε² with ε = 2^−24, and that product rounds to 1
+        assert!(has_area(&triangle));
+        let turned = Triangle::<f32> { c: triangle.b, b: triangle.c, ..triangle };
+        assert!(has_area(&turned));
+    }
+}

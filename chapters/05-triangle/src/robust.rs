@@ -1,0 +1,121 @@
+//! Why the others leak, and what to do about it.
+
+mod carefully;
+
+use math::{Degenerate, Hit, Parallel, Ray3, Real, Span};
+
+use crate::parallel::parallel;
+use crate::{Hit3, Triangle};
+
+/// Every number of the robust method. What is worked out with more digits is rounded for the reader.
+///
+/// A degenerate ray or triangle gives values that mean nothing; [`Robust::hit`] refuses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robust<R: Real> {
+    /// The ray ā + λ d.
+    pub ray: Ray3<R>,
+    /// The triangle.
+    pub triangle: Triangle<R>,
+    /// With A, B and C the corners seen from ā, p̄1 − ā and so on: d · (B × C), d · (C × A), d · (A × B). Each belongs to an
+    /// edge and tells on which side of it the ray passes; and each is the weight of the corner across. Where none is
+    /// negative, or none positive, the line of the ray passes through the triangle.
+    pub volumes: [f64; 3],
+    /// d · n, which is what the three volumes sum to.
+    pub d_dot_n: f64,
+    /// λ = (p̄1 − ā) · n / d · n, where the line of the ray passes through the triangle; else `None`.
+    pub lambda: Option<R>,
+    /// How the verdict was reached, and λ.
+    pub certainty: Certainty,
+    passage: Passage,
+}
+
+/// How the verdict was reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certainty {
+    /// In plain `f64`: by more than any rounding could make up for.
+    AtOnce,
+    /// With twice the digits.
+    TwoPart,
+    /// By exact sums.
+    Exact,
+}
+
+impl Certainty {
+    /// What it means.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Certainty::AtOnce => "certain at once",
+            Certainty::TwoPart => "with twice the digits, certain by its error bound",
+            Certainty::Exact => "too close to call: summed exactly",
+        }
+    }
+}
+
+/// How the line of the ray passes the triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Passage {
+    /// Through it: its inside, an edge or a corner.
+    Through,
+    /// Past it.
+    Past,
+    /// Along its plane: all three volumes are zero.
+    Along,
+    /// The ray or the triangle is degenerate.
+    Degenerate,
+}
+
+/// Works out the robust method.
+#[inline(always)]
+pub fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Robust<R> {
+    carefully::robust(ray, triangle)
+}
+
+impl<R: Real> Robust<R> {
+    /// What d · n = 0 means, decided exactly: see [`parallel`]. The numbers must be finite.
+    pub fn parallel(&self) -> Option<Parallel> {
+        parallel(&self.ray, &self.triangle)
+    }
+
+    /// α and β, off by less than a unit of the last digit: the second and third volume as shares of d · n. `None` where
+    /// there is no such point.
+    pub fn alpha_beta(&self) -> Option<(R, R)> {
+        carefully::alpha_beta(&self.ray, &self.triangle)
+    }
+
+    /// The hit, where the line of the ray passes through the triangle and its t = λ lies in `span`.
+    #[inline(always)]
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        if self.passage == Passage::Degenerate {
+            return self.triangle.check(&self.ray).map(|()| None);
+        }
+        let Some(t) = self.lambda.filter(|&lambda| span.contains(lambda)) else { return Ok(None) };
+        Ok(Some(Hit { t, point: self.ray.at(t), normal: carefully::unit_normal(&self.triangle) }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    const TRIANGLE: Triangle<f64> =
+        Triangle { a: DVec3::new(1.0, 1.0, 2.0), b: DVec3::new(5.0, 1.0, 2.0), c: DVec3::new(1.0, 3.0, 2.0) };
+
+    #[test]
+    fn a_ray_through_the_inside() {
+        // by hand: d · n = 8, of which the corners have ½, ¼ and ¼, and (p̄1 − ā) · n = 16
+        let work = robust(&Ray3::new(DVec3::ZERO, DVec3::new(1.0, 0.75, 1.0)), &TRIANGLE);
+        assert_eq!((work.volumes, work.d_dot_n, work.lambda), ([4.0, 2.0, 2.0], 8.0, Some(2.0)));
+        assert_eq!(work.alpha_beta(), Some((0.25, 0.25)));
+        let hit = work.hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!((hit.t, hit.point, hit.normal), (2.0, DVec3::new(2.0, 1.5, 2.0), DVec3::Z));
+    }
+
+    #[test]
+    fn edges_and_corners_belong_to_it() {
+        for (x, y) in [(1.0, 1.0), (5.0, 1.0), (1.0, 3.0), (3.0, 1.0), (3.0, 2.0), (1.0, 2.0)] {
+            let work = robust(&Ray3::new(DVec3::ZERO, DVec3::new(x / 2.0, y / 2.0, 1.0)), &TRIANGLE);
+            assert_eq!(work.hit(Span::ahead()).unwrap().map(|hit| hit.t), Some(2.0), "({x}, {y})");
+        }
+    }
+}
