@@ -15,9 +15,15 @@
 pub mod area;
 pub mod half_planes;
 pub mod matrix;
+#[cfg(feature = "stage")]
+mod measure;
 pub mod moller_trumbore;
 pub mod parallel;
+#[cfg(feature = "stage")]
+pub mod regimes;
 pub mod robust;
+#[cfg(feature = "stage")]
+pub mod stage;
 
 use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 

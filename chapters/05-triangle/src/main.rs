@@ -1,0 +1,5 @@
+//! `cargo run -p triangle`: see [`triangle::stage`].
+
+fn main() -> std::process::ExitCode {
+    stage::main(&triangle::stage::RayTriangle)
+}

@@ -1,0 +1,79 @@
+//! How this chapter shows and evaluates itself.
+
+use math::{Ray3, Real, Span};
+use stage::{
+    About, Ask, Canvas, Case, Chapter, Color, Error, Row, Shown, TradeAsk, Traded, Transcript, Value,
+};
+
+use crate::measure::question;
+use crate::regimes::regimes;
+use crate::{Method, Triangle};
+
+/// The stage `triangle`.
+pub struct RayTriangle;
+
+impl Chapter for RayTriangle {
+    fn about(&self) -> About {
+        About {
+            number: 5,
+            name: "triangle",
+            teaches: "a ray against a triangle: half-planes, a system of three equations, and no leaks",
+            notes: "CSC418 11.3.1, 11.3.2",
+            methods: Method::ALL.map(Method::name).to_vec(),
+            size: (720, 540),
+            picture: "A triangle in its barycentric colors.",
+            inputs: &[
+                "ox", "oy", "oz", "dx", "dy", "dz", "ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz",
+            ],
+            words: &[],
+            results: &["hit", "t", "alpha", "beta", "x", "y", "z", "nx", "ny", "nz", "reason"],
+            trade: "The page's two ways against the one whose verdict is exact, in regimes from ordinary numbers to \
+                    their ends: nanoseconds a ray, wrong verdicts, and how far t, the point and the normal are off. \
+                    Draws the two against each other, a panel a regime (trade.svg).",
+            regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
+        }
+    }
+
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let method = Method::ALL[ask.method];
+        let v = |x, y, z| R::vec3(R::from(x), R::from(y), R::from(z));
+        let triangle = Triangle::<R> { a: v(1.0, 1.0, 2.0), b: v(5.0, 1.0, 2.0), c: v(1.0, 3.0, 2.0) };
+        let ray = Ray3::<R>::new(v(0.0, 0.0, 0.0), v(1.0, 0.75, 1.0));
+        let work = method.work(&ray, &triangle);
+        let mut transcript = Transcript::new(&self.about(), ask);
+        let hit = work.hit(Span::ahead()).ok().flatten();
+        let t = hit.map_or(Value::text("none"), |hit| Value::number(hit.t));
+        transcript.section(format!("triangle · {} · {}", method.name(), R::NAME), "CSC418 11.3.1").step(
+            "λ",
+            "(p̄1 − ā) · n / d · n",
+            t,
+        );
+        Ok(Shown { transcript, picture: Canvas::new(ask.size, Color::WHITE)? })
+    }
+
+    fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+        let (ray, triangle) = question(case.numbers::<R, 15>()?);
+        let work = Method::ALL[ask.method].work(&ray, &triangle);
+        Ok(match work.hit(Span::ahead()) {
+            Ok(Some(hit)) => {
+                let row = Row::hit()
+                    .number("t", hit.t)
+                    .vector(["x", "y", "z"], hit.point)
+                    .vector(["nx", "ny", "nz"], hit.normal);
+                match work.alpha_beta() {
+                    // minus zero is zero
+                    Some((alpha, beta)) => {
+                        row.number("alpha", alpha + R::from(0.0)).number("beta", beta + R::from(0.0))
+                    }
+                    None => row,
+                }
+            }
+            Ok(None) => Row::miss(work.parallel().map_or("", |how| how.reason())),
+            Err(degenerate) => Row::invalid(degenerate.reason()),
+        })
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        Ok(lab::measure(self, ask)?.traded("Ray against triangle: speed for accuracy"))
+    }
+}
