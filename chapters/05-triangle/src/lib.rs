@@ -19,6 +19,7 @@ pub mod matrix;
 mod measure;
 pub mod moller_trumbore;
 pub mod parallel;
+pub mod polygon;
 #[cfg(feature = "stage")]
 pub mod regimes;
 pub mod robust;
