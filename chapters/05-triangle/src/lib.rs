@@ -17,6 +17,7 @@ pub mod half_planes;
 pub mod matrix;
 #[cfg(feature = "stage")]
 mod measure;
+pub mod mesh;
 pub mod moller_trumbore;
 pub mod parallel;
 pub mod polygon;
