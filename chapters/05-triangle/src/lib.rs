@@ -14,6 +14,8 @@
 
 pub mod area;
 pub mod half_planes;
+#[cfg(feature = "stage")]
+mod leaks;
 pub mod matrix;
 #[cfg(feature = "stage")]
 mod measure;

@@ -7,7 +7,7 @@ use stage::{
 
 use crate::measure::question;
 use crate::regimes::regimes;
-use crate::{Method, Triangle};
+use crate::{Method, Triangle, leaks};
 
 /// The stage `triangle`.
 pub struct RayTriangle;
@@ -74,6 +74,13 @@ impl Chapter for RayTriangle {
     }
 
     fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
-        Ok(lab::measure(self, ask)?.traded("Ray against triangle: speed for accuracy"))
+        let mut traded = lab::measure(self, ask)?.traded("Ray against triangle: speed for accuracy");
+        // Where a part is asked for, this would be drawn over that of the whole.
+        if ask.is_for_all() {
+            let volleys = leaks::volleys(ask);
+            traded.text += &format!("\n{}", leaks::text(&volleys));
+            traded.drawings.push(leaks::draw::draw(&volleys)?);
+        }
+        Ok(traded)
     }
 }
