@@ -22,10 +22,13 @@ mod measure;
 pub mod mesh;
 pub mod moller_trumbore;
 pub mod parallel;
+#[cfg(feature = "stage")]
+mod picture;
 pub mod polygon;
 #[cfg(feature = "stage")]
 pub mod regimes;
 pub mod robust;
+pub mod scene;
 #[cfg(feature = "stage")]
 pub mod stage;
 

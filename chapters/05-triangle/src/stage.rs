@@ -1,13 +1,11 @@
 //! How this chapter shows and evaluates itself.
 
-use math::{Ray3, Real, Span};
-use stage::{
-    About, Ask, Canvas, Case, Chapter, Color, Error, Row, Shown, TradeAsk, Traded, Transcript, Value,
-};
+use math::{Real, Span};
+use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript, Value};
 
 use crate::measure::question;
 use crate::regimes::regimes;
-use crate::{Method, Triangle, leaks};
+use crate::{Method, leaks, picture, scene};
 
 /// The stage `triangle`.
 pub struct RayTriangle;
@@ -36,9 +34,8 @@ impl Chapter for RayTriangle {
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
         let method = Method::ALL[ask.method];
-        let v = |x, y, z| R::vec3(R::from(x), R::from(y), R::from(z));
-        let triangle = Triangle::<R> { a: v(1.0, 1.0, 2.0), b: v(5.0, 1.0, 2.0), c: v(1.0, 3.0, 2.0) };
-        let ray = Ray3::<R>::new(v(0.0, 0.0, 0.0), v(1.0, 0.75, 1.0));
+        let triangle = scene::triangle::<R>();
+        let ray = picture::ray_of::<R>(ask.size, ask.pixel)?;
         let work = method.work(&ray, &triangle);
         let mut transcript = Transcript::new(&self.about(), ask);
         let hit = work.hit(Span::ahead()).ok().flatten();
@@ -48,7 +45,7 @@ impl Chapter for RayTriangle {
             "(p̄1 − ā) · n / d · n",
             t,
         );
-        Ok(Shown { transcript, picture: Canvas::new(ask.size, Color::WHITE)? })
+        Ok(Shown { transcript, picture: picture::draw::<R>(method, ask.size, ask.pixel)? })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
