@@ -13,6 +13,8 @@
 //! All of a triangle is hit, its edges and corners too, and from either side.
 
 pub mod area;
+#[cfg(feature = "stage")]
+mod explain;
 pub mod half_planes;
 #[cfg(feature = "stage")]
 mod leaks;

@@ -1,11 +1,11 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Real, Span};
-use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript, Value};
+use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript};
 
 use crate::measure::question;
 use crate::regimes::regimes;
-use crate::{Method, leaks, picture, scene};
+use crate::{Method, explain, leaks, picture};
 
 /// The stage `triangle`.
 pub struct RayTriangle;
@@ -15,11 +15,13 @@ impl Chapter for RayTriangle {
         About {
             number: 5,
             name: "triangle",
-            teaches: "a ray against a triangle: half-planes, a system of three equations, and no leaks",
-            notes: "CSC418 11.3.1, 11.3.2",
+            teaches: "a ray against a triangle: half-planes, a system of three equations, and no leaks; polygons and meshes",
+            notes: "CSC418 11.3.1, 11.3.2, 11.6",
             methods: Method::ALL.map(Method::name).to_vec(),
             size: (720, 540),
-            picture: "A triangle in its barycentric colors.",
+            picture: "A triangle in its barycentric colors; a concave star with test rays, and a pentagram by even-odd and \
+                      by winding; and a closed ball shot from inside at its edges: where a ray slips through, there is \
+                      a large red dot.",
             inputs: &[
                 "ox", "oy", "oz", "dx", "dy", "dz", "ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz",
             ],
@@ -27,24 +29,17 @@ impl Chapter for RayTriangle {
             results: &["hit", "t", "alpha", "beta", "x", "y", "z", "nx", "ny", "nz", "reason"],
             trade: "The page's two ways against the one whose verdict is exact, in regimes from ordinary numbers to \
                     their ends: nanoseconds a ray, wrong verdicts, and how far t, the point and the normal are off. \
-                    Draws the two against each other, a panel a regime (trade.svg).",
+                    Draws the two against each other, a panel a regime (trade.svg), and counts the rays that leak out \
+                    of a closed ball (leaks.png).",
             regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
         }
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
         let method = Method::ALL[ask.method];
-        let triangle = scene::triangle::<R>();
         let ray = picture::ray_of::<R>(ask.size, ask.pixel)?;
-        let work = method.work(&ray, &triangle);
         let mut transcript = Transcript::new(&self.about(), ask);
-        let hit = work.hit(Span::ahead()).ok().flatten();
-        let t = hit.map_or(Value::text("none"), |hit| Value::number(hit.t));
-        transcript.section(format!("triangle · {} · {}", method.name(), R::NAME), "CSC418 11.3.1").step(
-            "λ",
-            "(p̄1 − ā) · n / d · n",
-            t,
-        );
+        explain::explain(&mut transcript, method, &ray);
         Ok(Shown { transcript, picture: picture::draw::<R>(method, ask.size, ask.pixel)? })
     }
 

@@ -27,7 +27,7 @@ pub(super) fn color<R: Real>(star: &Polygon<R>, rule: Rule, (x, y): (f64, f64)) 
 pub(super) fn concave<R: Real>(canvas: &mut Canvas, polygon: &Polygon<R>) {
     let view = concave_view();
     outline(canvas, &view, &star::CONCAVE);
-    for start in [[-6.0, 7.0], [0.0, 3.0], [0.0, -1.0]] {
+    for start in [[-6.0, 6.5], [0.0, 3.0], [0.0, -1.0]] {
         let work = even_odd(polygon.outline(), start.map(R::from));
         let [x, y] = start.map(f64::from);
         view.arrow(canvas, (x, y), (13.0, y), Pen::solid(Color::VERMILLION, 1.4));
