@@ -95,7 +95,7 @@ fn drawn<R: Real>(draw: &mut Draw, target: &Target<R>, center: [f64; 3]) -> Shot
 pub(crate) fn text(volleys: &[Volley]) -> String {
     let count = volleys.first().map_or(0, |volley| volley.shots.len());
     let faces = 8 * 4_usize.pow(ball::DIVISIONS);
-    let mut lines = vec![["leaks/M", "", "at home", "moved by 1000"].map(str::to_string).to_vec()];
+    let mut lines = vec![["leaks/M", "", "at home", "1000 away on each axis"].map(str::to_string).to_vec()];
     for here in volleys.iter().filter(|volley| volley.place == 0) {
         let there = volleys
             .iter()

@@ -11,6 +11,9 @@
 //! them all.
 //!
 //! All of a triangle is hit, its edges and corners too, and from either side.
+//!
+//! [`polygon::Polygon`] has any number of corners in a plane (11.3.2), and two rules for what is inside;
+//! [`mesh::Mesh`] many triangles that share theirs, and normals to shade them with (11.6).
 
 pub mod area;
 #[cfg(feature = "stage")]

@@ -24,8 +24,8 @@ pub(crate) fn draw(volleys: &[Volley]) -> Result<Drawing, Error> {
     canvas.label((20.0, 32.0), Anchor::Left, 22.0, Color::BLACK, title);
     let count = volleys.first().map_or(0, |volley| volley.shots.len());
     let share = format!(
-        "{count} rays a panel, of which {} are drawn, those at the half of the ball in front; small: the ray meets the \
-         ball; large: it leaks",
+        "{count} rays a panel; of the first {} those at the half of the ball in front are drawn. A small dot: the ray \
+         meets the ball; a large one: it leaks",
         count.min(SHOWN)
     );
     canvas.label((20.0, 58.0), Anchor::Left, 15.0, Color::GRAY, &share);
