@@ -1,0 +1,208 @@
+//! Where does a ray hit a cylinder or a cone? A quadratic wall that goes on for ever, and planes that cut it off.
+//!
+//! The ray is a + λ d. The unit cylinder is x² + y² ≤ 1 for |z| ≤ 1, closed by two caps; the unit cone is
+//! x² + y² ≤ ¼(1 − z)² for 0 ≤ z ≤ 1, its apex at z = 1, closed by its base (CSC418 11.3.5). [`mod@notes`] is the
+//! page: find every point where the line meets the wall or a plane, test each, take the smallest λ. The page
+//! prints x² + y² = ¼(1 − z²) for the cone, which is half an ellipsoid: [`mod@printed`] shows it. [`mod@robust`]
+//! says where the tests go wrong, and asks signs first: which part is it? Then it works out one λ.
+
+pub mod notes;
+pub mod printed;
+pub mod robust;
+
+use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
+
+pub use notes::{Notes, notes};
+pub use robust::{Robust, robust};
+
+/// The unit solids of the page. Both are closed and convex: a line is inside for one stretch of λ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// x² + y² = 1 for |z| ≤ 1, with its two caps.
+    Cylinder,
+    /// x² + y² = ¼(1 − z)² for 0 ≤ z ≤ 1, with its base.
+    Cone,
+}
+
+/// A part of the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The quadratic wall. The rim belongs to it as well as to the cap: a tie is the wall's.
+    Wall,
+    /// The cylinder's cap z = 1.
+    Top,
+    /// The cylinder's cap z = −1.
+    Bottom,
+    /// The cone's base z = 0.
+    Base,
+    /// The cone's apex (0, 0, 1), where the wall has no normal.
+    Apex,
+}
+
+/// A hit in space.
+pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
+
+/// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`], whichever comes
+/// first.
+#[inline(always)]
+pub fn check<R: Real>(ray: &Ray3<R>) -> Result<(), Degenerate> {
+    if !(ray.origin.is_finite() && ray.direction.is_finite()) {
+        return Err(Degenerate::NotFinite);
+    }
+    if ray.direction.is_zero() {
+        return Err(Degenerate::ZeroDirection);
+    }
+    Ok(())
+}
+
+impl Shape {
+    /// Both, in the order of the page. A case file's column holds a shape's place here.
+    pub const ALL: [Shape; 2] = [Shape::Cylinder, Shape::Cone];
+
+    /// The word in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Shape::Cylinder => "cylinder",
+            Shape::Cone => "cone",
+        }
+    }
+
+    /// The planes that cut off the wall: the caps or the base, from the top down.
+    #[inline]
+    pub fn caps(self) -> &'static [Part] {
+        match self {
+            Shape::Cylinder => &[Part::Top, Part::Bottom],
+            Shape::Cone => &[Part::Base],
+        }
+    }
+
+    /// What is lowest and highest: the planes z = −1 and 1 of the cylinder, the base of the cone and its apex.
+    #[inline(always)]
+    pub fn ends(self) -> (Part, Part) {
+        match self {
+            Shape::Cylinder => (Part::Bottom, Part::Top),
+            Shape::Cone => (Part::Base, Part::Apex),
+        }
+    }
+
+    /// The lowest and the highest z of the solid.
+    #[inline]
+    pub fn heights<R: Real>(self) -> (R, R) {
+        match self {
+            Shape::Cylinder => (R::from(-1.0), R::from(1.0)),
+            Shape::Cone => (R::from(0.0), R::from(1.0)),
+        }
+    }
+
+    /// The wall's f(p): x² + y² − 1 or x² + y² − ¼(1 − z)². Negative within the wall, zero on it.
+    #[inline]
+    pub fn wall<R: Real>(self, point: R::Vec3) -> R {
+        let [x, y, z] = R::xyz(point);
+        let one = R::from(1.0);
+        match self {
+            Shape::Cylinder => x * x + y * y - one,
+            Shape::Cone => x * x + y * y - R::from(0.25) * (one - z) * (one - z),
+        }
+    }
+
+    /// Half the gradient of the wall's f: (x, y, 0) or (x, y, ¼(1 − z)). It points outward; at the apex it is zero.
+    #[inline]
+    pub fn half_gradient<R: Real>(self, point: R::Vec3) -> R::Vec3 {
+        let [x, y, z] = R::xyz(point);
+        match self {
+            Shape::Cylinder => R::vec3(x, y, R::from(0.0)),
+            Shape::Cone => R::vec3(x, y, R::from(0.25) * (R::from(1.0) - z)),
+        }
+    }
+
+    /// The outward unit normal of a part at a point of it: ∇f / ‖∇f‖ on the wall (CSC418 11.6), ±z on a cap.
+    ///
+    /// At the apex the gradient is zero and the cone has no tangent plane; (0, 0, 1) is given there. A point that is
+    /// not finite gives NaN.
+    #[inline]
+    pub fn normal<R: Real>(self, part: Part, point: R::Vec3) -> R::Vec3 {
+        let (zero, one) = (R::from(0.0), R::from(1.0));
+        let up = R::vec3(zero, zero, one);
+        match part {
+            Part::Top | Part::Apex => up,
+            Part::Bottom | Part::Base => R::vec3(zero, zero, -one),
+            Part::Wall => {
+                let gradient = self.half_gradient::<R>(point);
+                if gradient.is_zero() { up } else { gradient.normalized() }
+            }
+        }
+    }
+}
+
+impl Part {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Part::Wall => "wall",
+            Part::Top => "top",
+            Part::Bottom => "bottom",
+            Part::Base => "base",
+            Part::Apex => "apex",
+        }
+    }
+
+    /// The z of the plane that it lies in; `None` for the wall.
+    #[inline(always)]
+    pub fn height(self) -> Option<f32> {
+        match self {
+            Part::Wall => None,
+            Part::Top | Part::Apex => Some(1.0),
+            Part::Bottom => Some(-1.0),
+            Part::Base => Some(0.0),
+        }
+    }
+}
+
+/// The formulations of this chapter, by the names that `--method` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// CSC418 11.3.5.
+    Notes,
+    /// Signs first, then one root.
+    Robust,
+}
+
+impl Method {
+    /// Every method.
+    pub const ALL: [Method; 2] = [Method::Notes, Method::Robust];
+
+    /// The name that `--method` takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Notes => "notes",
+            Method::Robust => "robust",
+        }
+    }
+
+    /// Works the method out for one ray and one solid.
+    pub fn work<R: Real>(self, ray: &Ray3<R>, shape: Shape) -> Working<R> {
+        match self {
+            Method::Notes => Working::Notes(notes(ray, shape)),
+            Method::Robust => Working::Robust(robust(ray, shape)),
+        }
+    }
+}
+
+/// One method's intermediate values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Working<R: Real> {
+    /// By the page's method.
+    Notes(Notes<R>),
+    /// By the robust one.
+    Robust(Robust<R>),
+}
+
+impl<R: Real> Working<R> {
+    /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        match self {
+            Working::Notes(work) => work.hit(span),
+            Working::Robust(work) => work.hit(span),
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! The cone as CSC418 11.3.5 prints it: x² + y² − ¼(1 − z²) = 0 for 0 ≤ z ≤ 1. It is half an ellipsoid.
+//!
+//! At a height z the printed radius is ½√(1 − z²), a quarter of an ellipse; a cone's is ½(1 − z), a straight line. The
+//! two agree at the base and at the apex, and nowhere between. This is here for the picture and for the test of the
+//! slip; no method of the chapter uses it.
+
+use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
+
+use crate::{Hit3, check};
+
+/// The radius at a height 0 ≤ z ≤ 1 by the printed formula, ½√(1 − z²).
+pub fn printed_radius<R: Real>(z: R) -> R {
+    let one = R::from(1.0);
+    R::from(0.5) * (one - z * z).sqrt()
+}
+
+/// The radius of the cone at a height 0 ≤ z ≤ 1: ½(1 − z).
+pub fn radius<R: Real>(z: R) -> R {
+    R::from(0.5) * (R::from(1.0) - z)
+}
+
+/// The nearest hit in `span` of the printed surface with the base under it, found as the notes find theirs.
+pub fn hit<R: Real>(ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+    check(ray)?;
+    let ([a_x, a_y, a_z], [d_x, d_y, d_z]) = (R::xyz(ray.origin), R::xyz(ray.direction));
+    let (zero, one, quarter) = (R::from(0.0), R::from(1.0), R::from(0.25));
+
+    // x² + y² − ¼(1 − z²) = 0: the sign of z² is that of x² and y², which makes it an ellipsoid.
+    let a = d_x * d_x + d_y * d_y + quarter * d_z * d_z;
+    let b = a_x * d_x + a_y * d_y + quarter * a_z * d_z;
+    let c = a_x * a_x + a_y * a_y - quarter * (one - a_z * a_z);
+    let d = b * b - a * c;
+
+    let mut nearest: Option<Hit3<R>> = None;
+    let mut consider = |t: R, point: R::Vec3, normal: R::Vec3| {
+        if span.contains(t) && nearest.is_none_or(|hit| t < hit.t) {
+            nearest = Some(Hit { t: t + zero, point, normal });
+        }
+    };
+    if d >= zero {
+        for lambda in [-b / a + d.sqrt() / a, -b / a - d.sqrt() / a] {
+            let point = ray.at(lambda);
+            let [x, y, z] = R::xyz(point);
+            if zero <= z && z <= one {
+                consider(lambda, point, R::vec3(x, y, quarter * z).normalized());
+            }
+        }
+    }
+    if d_z != zero {
+        let lambda = -a_z / d_z;
+        let [x, y, _] = R::xyz(ray.at(lambda));
+        if x * x + y * y <= quarter {
+            consider(lambda, R::vec3(x, y, zero), R::vec3(zero, zero, -one));
+        }
+    }
+    Ok(nearest)
+}

@@ -1,0 +1,155 @@
+//! Signs first, then one root.
+//!
+//! The page's method works out up to four points and tests each. On paper a point of the wall has a z, and z ≤ 1 or
+//! not; in floating point the point is beside the wall, and z beside its value. At the rim the wall's test and the
+//! cap's may then both say no, and the ray slips through the solid; D = B² − A C cancels as it does for a sphere; at
+//! A ≈ 0, along the slope of the cone, −B/A ± √D/A is a difference of enormous numbers; and through the apex D is
+//! exactly zero on paper and anything in floating point.
+//!
+//! Here no point is tested. [`Line::verdict`] asks for signs, of numbers that are sums and products of what was
+//! given: is the origin inside, is f below zero where the line crosses a plane, does it fall or rise there, is D
+//! below zero? That tells which part is met; then [`Line::t`] works out one λ, as a quotient for a cap and as a
+//! root without cancellation for the wall. Both are written once, for any kind of number that knows its error
+//! ([`math::Sure`]): plain `f64` first, twice the digits next, integers as long as it takes last.
+
+mod line;
+mod verdict;
+
+use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector};
+
+use crate::{Hit3, Part, Shape, check};
+
+pub use line::Line;
+pub use verdict::{Place, Verdict};
+
+/// Every number of the robust method. What is worked out with more digits is rounded for the reader.
+///
+/// A degenerate ray gives values that mean nothing; [`Robust::hit`] refuses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robust<R: Real> {
+    /// The ray.
+    pub ray: Ray3<R>,
+    /// The solid.
+    pub shape: Shape,
+    /// What becomes of the ray: it misses, starts on, enters or leaves, and at which part.
+    pub verdict: Verdict,
+    /// With what kind of number the verdict was reached.
+    pub certainty: Certainty,
+    /// λ ≥ 0 of the part that is met, off by less than a unit of its last digit; `None` for a miss.
+    pub t: Option<R>,
+    /// With what kind of number t was worked out.
+    pub t_certainty: Certainty,
+}
+
+/// With what kind of number something was worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certainty {
+    /// In plain `f64`.
+    AtOnce,
+    /// With twice the digits.
+    TwoPart,
+    /// In integers as long as it takes.
+    Exact,
+}
+
+impl Certainty {
+    /// What it means.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Certainty::AtOnce => "certain at once",
+            Certainty::TwoPart => "certain with twice the digits",
+            Certainty::Exact => "too close to call: worked out exactly",
+        }
+    }
+}
+
+/// Works out the robust method.
+#[inline(always)]
+pub fn robust<R: Real>(ray: &Ray3<R>, shape: Shape) -> Robust<R> {
+    let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
+    let (verdict, certainty) = match Line::<Bounded<f64>>::beside_unit(shape, o, d).verdict() {
+        Some(verdict) => (verdict, Certainty::AtOnce),
+        None => careful_verdict(shape, o, d),
+    };
+    let (t, t_certainty) = t_of(shape, o, d, verdict);
+    Robust { ray: *ray, shape, verdict, certainty, t, t_certainty }
+}
+
+/// The verdict with twice the digits, or exactly.
+#[cold]
+#[inline(never)]
+fn careful_verdict(shape: Shape, o: [f64; 3], d: [f64; 3]) -> (Verdict, Certainty) {
+    if !o.iter().chain(&d).all(|number| number.is_finite()) {
+        return (Verdict::Misses, Certainty::AtOnce);
+    }
+    if let Some(verdict) = Line::<Bounded<TwoPart>>::beside_unit(shape, o, d).verdict() {
+        return (verdict, Certainty::TwoPart);
+    }
+    // No sign of an exact number is in doubt.
+    let verdict = Line::<Exact>::beside_unit(shape, o, d).verdict().unwrap_or(Verdict::Misses);
+    (verdict, Certainty::Exact)
+}
+
+/// λ of the verdict: for f32 plain f64 is nearly always enough, for f64 twice the digits.
+#[inline(always)]
+fn t_of<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> (Option<R>, Certainty) {
+    if verdict == Verdict::Misses {
+        return (None, Certainty::AtOnce);
+    }
+    if R::DIGITS < f64::MANTISSA_DIGITS
+        && let Some(t) = Line::<Bounded<f64>>::beside_unit(shape, o, d).t(verdict)
+    {
+        return (Some(t), Certainty::AtOnce);
+    }
+    if let Some(t) = Line::<Bounded<TwoPart>>::beside_unit(shape, o, d).t(verdict) {
+        return (Some(t), Certainty::TwoPart);
+    }
+    (exact_t(shape, o, d, verdict), Certainty::Exact)
+}
+
+#[cold]
+#[inline(never)]
+fn exact_t<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> Option<R> {
+    Line::<Exact>::beside_unit(shape, o, d).t(verdict)
+}
+
+impl<R: Real> Robust<R> {
+    /// A, B, C and D of the wall in plain `f64`, for a reader: f(o + λ d) = A λ² − 2 B λ + C.
+    pub fn quadratic(&self) -> math::Quadratic<f64> {
+        let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
+        let math::Quadratic { a, b, c, d } =
+            Line::<Bounded<TwoPart>>::beside_unit(self.shape, o, d).quadratic();
+        let [a, b, c, d] = [a, b, c, d].map(|number| number.value.hi);
+        math::Quadratic { a, b, c, d }
+    }
+
+    /// The nearest hit in `span`: where the ray first meets the solid, or where that comes too early, as for a ray
+    /// that leaves a surface and looks for t > 0, where it leaves the solid.
+    #[inline(always)]
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        check(&self.ray)?;
+        let (Some(part), Some(t)) = (self.verdict.part(), self.t) else { return Ok(None) };
+        let (part, t) = if t < span.min { self.exit() } else { (part, t) };
+        if !span.contains(t) {
+            return Ok(None);
+        }
+        let t = t + R::from(0.0); // minus zero is zero
+        let point = self.ray.at(t);
+        Ok(Some(Hit { t, point, normal: self.shape.normal::<R>(part, point) }))
+    }
+
+    /// Where a line that meets the solid leaves it.
+    #[cold]
+    #[inline(never)]
+    fn exit(&self) -> (Part, R) {
+        let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
+        let line = Line::<Bounded<TwoPart>>::beside_unit(self.shape, o, d);
+        let with_two_parts = line.exit().and_then(|place| Some((place.part, line.t_where_f_rises(place)?)));
+        with_two_parts.unwrap_or_else(|| {
+            let line = Line::<Exact>::beside_unit(self.shape, o, d);
+            let place = line.exit();
+            let t = place.and_then(|place| line.t_where_f_rises(place));
+            (place.map_or(Part::Wall, |place| place.part), t.unwrap_or(-R::INFINITY))
+        })
+    }
+}
