@@ -6,9 +6,15 @@
 //! prints x² + y² = ¼(1 − z²) for the cone, which is half an ellipsoid: [`mod@printed`] shows it. [`mod@robust`]
 //! says where the tests go wrong, and asks signs first: which part is it? Then it works out one λ.
 
+#[cfg(feature = "stage")]
+mod measure;
 pub mod notes;
 pub mod printed;
+#[cfg(feature = "stage")]
+pub mod regimes;
 pub mod robust;
+#[cfg(feature = "stage")]
+pub mod stage;
 
 use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 

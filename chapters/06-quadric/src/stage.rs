@@ -1,0 +1,54 @@
+//! How this chapter shows and evaluates itself.
+
+use math::{Real, Span};
+use stage::{About, Ask, Canvas, Case, Chapter, Color, Error, Row, Shown, TradeAsk, Traded, Transcript};
+
+use crate::Method;
+use crate::measure::question;
+use crate::regimes::regimes;
+
+/// The stage `quadric`.
+pub struct Quadric;
+
+impl Chapter for Quadric {
+    fn about(&self) -> About {
+        About {
+            number: 6,
+            name: "quadric",
+            teaches: "a ray against a cylinder and a cone: a quadratic wall, cut off by planes",
+            notes: "CSC418 11.3.5, 11.6",
+            methods: Method::ALL.map(Method::name).to_vec(),
+            size: (720, 480),
+            picture: "The capped cylinder and the cone, shaded by their normals; the cone as the page prints it, which is \
+                      half an ellipsoid, beside the true one; one ray with its candidates, kept and dropped.",
+            inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "shape"],
+            words: &[("shape", &["cylinder", "cone"])],
+            results: &["hit", "t", "x", "y", "z", "nx", "ny", "nz", "reason"],
+            trade: "The page's candidates, each tested, against signs first and one root: nanoseconds a ray, wrong \
+                    verdicts, and how far t, the point and the normal are off, in regimes from ordinary numbers to rims, \
+                    slopes, the apex and the ends of numbers. Draws the two against each other (trade.svg).",
+            regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
+        }
+    }
+
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let transcript = Transcript::new(&self.about(), ask);
+        Ok(Shown { transcript, picture: Canvas::new(ask.size, Color::WHITE)? })
+    }
+
+    fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
+        let (ray, shape) = question(case.numbers::<R, 7>()?);
+        Ok(match Method::ALL[ask.method].work(&ray, shape).hit(Span::ahead()) {
+            Ok(Some(hit)) => Row::hit()
+                .number("t", hit.t)
+                .vector(["x", "y", "z"], hit.point)
+                .vector(["nx", "ny", "nz"], hit.normal),
+            Ok(None) => Row::miss(""),
+            Err(degenerate) => Row::invalid(degenerate.reason()),
+        })
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        Ok(lab::measure(self, ask)?.traded("Ray against cylinder and cone: speed for accuracy"))
+    }
+}
