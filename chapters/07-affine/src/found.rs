@@ -1,0 +1,71 @@
+//! What a method found, in both spaces.
+
+use math::{Hit, Ray3, Real, Vector};
+
+use crate::{Deformed, Hit3};
+
+/// A solution λ*, in the object's own space and in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found<R: Real> {
+    /// λ*, the same in both spaces, in lengths of the direction as given.
+    pub lambda: R,
+    /// r′(λ*) = a′ + λ* d′, the point in the object's own space.
+    pub p: R::Vec3,
+    /// n, the outward unit normal of the undeformed object there.
+    pub n: R::Vec3,
+    /// A⁻ᵀ n, the normal of the deformed object (11.6.1, Eq. 2), of any length.
+    pub a_inverse_transposed_n: R::Vec3,
+    /// r(λ*) = a + λ* d, the point in the world.
+    pub point: R::Vec3,
+}
+
+/// The two sides of the page's exercise: "Verify that r(λ*) = A r′(λ*) + t."
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BothWays<R: Real> {
+    /// r(λ*)
+    pub along_the_ray: R::Vec3,
+    /// A r′(λ*) + t
+    pub through_the_object: R::Vec3,
+    /// The second less the first: zero on paper.
+    pub difference: R::Vec3,
+}
+
+impl<R: Real> Found<R> {
+    /// A hit at λ* of the undeformed object, brought to the world. `None` where A⁻ᵀ n is no direction, because A⁻¹
+    /// overflows or vanishes.
+    #[inline]
+    pub(crate) fn brought_back(
+        ray: &Ray3<R>,
+        Hit { t: lambda, point: p, normal: n }: Hit3<R>,
+        a_inverse_transposed_n: R::Vec3,
+    ) -> Option<Found<R>> {
+        let is_direction = a_inverse_transposed_n.is_finite() && !a_inverse_transposed_n.is_zero();
+        is_direction.then(|| Found { lambda, p, n, a_inverse_transposed_n, point: ray.at(lambda) })
+    }
+
+    /// A⁻ᵀ n / ‖A⁻ᵀ n‖, Eq. (2): outward, for A⁻ᵀ turns an outward normal into an outward one whatever the sign of
+    /// det A. (A step v leaves the object where n · v > 0; deformed it is A v, and A⁻ᵀ n · A v = n · v.)
+    #[inline]
+    pub fn normal(&self) -> R::Vec3 {
+        self.a_inverse_transposed_n.normalized()
+    }
+
+    /// A n / ‖A n‖: n deformed as if it were a step from point to point. It is at right angles to the surface only
+    /// where A turns and scales alike in all directions.
+    pub fn wrong_normal(&self, deformed: &Deformed<R>) -> R::Vec3 {
+        deformed.affine.a.times(self.n).normalized()
+    }
+
+    /// The page's exercise worked out.
+    pub fn verify(&self, deformed: &Deformed<R>) -> BothWays<R> {
+        let (along_the_ray, through_the_object) = (self.point, deformed.affine.apply(self.p));
+        BothWays { along_the_ray, through_the_object, difference: through_the_object - along_the_ray }
+    }
+
+    /// The hit in the world.
+    #[inline]
+    pub fn hit(&self) -> Hit3<R> {
+        // minus zero is zero
+        Hit { t: self.lambda + R::from(0.0), point: self.point, normal: self.normal() }
+    }
+}

@@ -1,0 +1,5 @@
+//! `cargo run -p affine`: see [`affine::stage`].
+
+fn main() -> std::process::ExitCode {
+    stage::main(&affine::stage::Affine)
+}
