@@ -1,7 +1,10 @@
 //! How this chapter is judged and timed: what it hands to the lab.
 
+mod quality;
+
 use std::rc::Rc;
 
+use lab::oracle::{self, UnitObject};
 use lab::{Answer, Quality, Regime, Runner, Subject, Truth, runner};
 use math::{Ray3, Real, Span};
 use stage::{About, Chapter, Precision};
@@ -32,8 +35,18 @@ impl Subject<19> for crate::stage::Affine {
         regimes::regimes()
     }
 
-    fn truth(&self, _case: [f64; 19], _precision: Precision) -> Truth {
-        Truth::Miss("")
+    fn truth(&self, case: [f64; 19], precision: Precision) -> Truth {
+        let (_, object, _) = question(case);
+        let shape = match object {
+            Object::Sphere => UnitObject::Sphere,
+            Object::Cylinder => UnitObject::Cylinder,
+            Object::Cone => UnitObject::Cone,
+            Object::Plane => UnitObject::Plane,
+            Object::Triangle => UnitObject::Triangle,
+        };
+        // the same columns without that of the word
+        let numbers = std::array::from_fn(|at| case[if at < 6 { at } else { at + 1 }]);
+        oracle::affine(shape, numbers, precision)
     }
 
     fn answer<R: Real>(&self, method: usize, case: [R; 19]) -> Answer {
@@ -44,8 +57,11 @@ impl Subject<19> for crate::stage::Affine {
         }
     }
 
-    fn quality<R: Real>(&self, _method: usize, _case: [R; 19], _truth: &Truth) -> Option<Quality> {
-        None
+    fn quality<R: Real>(&self, method: usize, case: [R; 19], truth: &Truth) -> Option<Quality> {
+        let (ray, object, affine) = question(case);
+        let deformed = Deformed::for_ray(&ray, object, affine).ok()?;
+        let hit = Method::ALL[method].work(&ray, &deformed).hit(Span::ahead()).ok()??;
+        Some(quality::quality(&hit, &ray, object, &affine, truth))
     }
 
     fn runners<'a, R: Real>(&self, cases: &'a [[R; 19]]) -> Vec<Runner<'a>> {
