@@ -11,27 +11,37 @@
 //! and the object is the unit object at scale s: sums and products of the numbers as given, each of which can be kept
 //! with all its digits ([`math::Sure`]). λ is the same in this space too.
 //!
-//! For a sphere even that is too much. The line's moment m = (a − t) × d is deformed by Aᵀ alone:
+//! Where only the line matters, even o″ is too much. The line's moment m = (a − t) × d is deformed by Aᵀ alone:
 //!
 //! ```text
 //! o″ × d″ = adj A (a − t) × adj A d = det A · Aᵀ m
 //! ```
 //!
 //! so that the discriminant B² − A C = A s² − ‖o″ × d″‖² of the sphere ‖o″ + λ d″‖ = s is s² (‖d″‖² − ‖w‖²), with
-//! w = Aᵀ m, and s² decides nothing. For a triangle the components of w are what α and β are decided by.
+//! w = Aᵀ m, and s² decides nothing. For a triangle the components of w are what α and β are decided by; and the point
+//! on the unit object follows from w and d″ with nothing large to subtract.
 //!
-//! Each formula is tried in `f64` with a bound on its error, then with twice the digits, then exactly. The verdict is
-//! exact, and λ is the number next to the true one or beside it.
+//! Each formula is tried in `f64` with a bound on its error, then with twice the digits, then exactly: first for the
+//! verdict, which consists of signs, then for the λ of the one place that is met. What this promises for every finite
+//! ray and every matrix that is not singular: hit or miss is exact, and λ is off by less than a unit of its last digit.
 
 mod flat;
+mod line;
+mod place;
+mod solid;
+mod solve;
 mod sphere;
 mod stored;
+#[cfg(test)]
+mod tests;
 
 use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
+use quadric::robust::Verdict;
 
 use crate::deformed::check_ray;
-use crate::{Deformed, Found, Hit3, Object};
+use crate::{Deformed, Found, Hit3};
 
+pub use quadric::robust::Certainty;
 pub(crate) use stored::Stored;
 
 /// Every number of the robust method in `f64`, rounded for the reader.
@@ -43,27 +53,32 @@ pub struct Robust<'a, R: Real> {
     pub ray: Ray3<R>,
     /// The deformed object, with adj A.
     pub deformed: &'a Deformed<R>,
+    /// What becomes of the ray, in chapter 06's words: it misses, starts on the surface, enters or leaves. A sphere is
+    /// all wall, a plane or a triangle all base.
+    pub verdict: Verdict,
     /// The numbers on the way.
     pub steps: Steps,
     /// The smallest λ ≥ 0 at which the ray is on the surface; `None` for a miss.
     pub first: Option<Crossing<R>>,
 }
 
-/// The numbers on the way to λ. What a verdict did not need is zero.
+/// The numbers on the way to λ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
-    /// How the verdict and λ were reached.
+    /// How the verdict was reached.
     pub certainty: Certainty,
+    /// How λ was; for a miss the same.
+    pub lambda_certainty: Certainty,
     /// o″ = adj A (a − t) sgn det A
     pub o: [f64; 3],
     /// d″ = adj A d sgn det A
     pub d: [f64; 3],
     /// s = |det A|
     pub s: f64,
-    /// w = Aᵀ ((a − t) × d), the moment of the line; o″ × d″ = det A w.
+    /// w = Aᵀ ((a − t) × d), the moment of the line: o″ × d″ = det A w.
     pub w: [f64; 3],
-    /// Of a sphere, A, B, C and D: A λ² − 2 B λ + C = 0 with A = d″·d″, B = −o″·d″, C = o″·o″ − s², and
-    /// D = B² − A C = s² (A − w·w).
+    /// Of a sphere or the wall of a cylinder or cone, A, B, C and D: A λ² − 2 B λ + C = 0. For the sphere A = d″·d″,
+    /// B = −o″·d″, C = o″·o″ − s², D = B² − A C = s² (A − w·w).
     pub quadratic: Option<[f64; 4]>,
 }
 
@@ -78,57 +93,16 @@ pub struct Crossing<R> {
     pub n: [f64; 3],
     /// A⁻ᵀ n, of any length.
     pub a_inverse_transposed_n: [f64; 3],
-    /// The ray goes in here.
+    /// The ray comes from without. (A plane has only an outside.)
     pub enters: bool,
-}
-
-/// How the verdict was reached.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Certainty {
-    /// In plain `f64`: by more than any rounding could make up for.
-    AtOnce,
-    /// With twice the digits.
-    TwoPart,
-    /// By exact sums.
-    Exact,
-}
-
-impl Certainty {
-    /// What it means.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Certainty::AtOnce => "certain at once",
-            Certainty::TwoPart => "certain with twice the digits",
-            Certainty::Exact => "too close to call: summed exactly",
-        }
-    }
 }
 
 /// Works out the robust method.
 #[inline(always)]
 pub fn robust<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Robust<'a, R> {
-    let (steps, first) = if check_ray(ray).is_err() {
-        (Steps::NONE, None)
-    } else {
-        match deformed.object {
-            Object::Sphere => sphere::first(ray, deformed),
-            Object::Cylinder | Object::Cone => (Steps::NONE, None),
-            Object::Plane | Object::Triangle => flat::first(ray, deformed),
-        }
-    };
-    Robust { ray: *ray, deformed, steps, first }
-}
-
-impl Steps {
-    /// Nothing was worked out.
-    const NONE: Steps = Steps {
-        certainty: Certainty::AtOnce,
-        o: [0.0; 3],
-        d: [0.0; 3],
-        s: 0.0,
-        w: [0.0; 3],
-        quadratic: None,
-    };
+    let solved = if check_ray(ray).is_ok() { solve::first(ray, deformed) } else { solve::Solved::NOTHING };
+    let solve::Solved { verdict, steps, crossing } = solved;
+    Robust { ray: *ray, deformed, verdict, steps, first: crossing }
 }
 
 impl<R: Real> Robust<'_, R> {
@@ -143,13 +117,11 @@ impl<R: Real> Robust<'_, R> {
     pub fn found(&self, span: Span<R>) -> Result<Option<Found<R>>, Degenerate> {
         check_ray(&self.ray)?;
         let Some(first) = self.first else { return Ok(None) };
-        let crossing = if span.contains(first.lambda) {
-            first
-        } else {
-            match self.second(first) {
-                Some(second) if span.contains(second.lambda) => second,
-                _ => return Ok(None),
-            }
+        // Where that comes too early, as for a ray that leaves a surface and looks for λ > 0, it may still leave.
+        let crossing =
+            if first.lambda < span.min { solve::exit(&self.ray, self.deformed) } else { Some(first) };
+        let Some(crossing) = crossing.filter(|crossing| span.contains(crossing.lambda)) else {
+            return Ok(None);
         };
         let vector = |v: [f64; 3]| {
             let [x, y, z] = v.map(R::round_from);
@@ -171,33 +143,23 @@ impl<R: Real> Robust<'_, R> {
         Ok(Some(Hit { t: found.lambda + R::from(0.0), point: found.point, normal: found.normal() }))
     }
 
-    /// Where a ray that enters leaves again.
-    #[cold]
-    #[inline(never)]
-    fn second(&self, first: Crossing<R>) -> Option<Crossing<R>> {
-        match self.deformed.object {
-            Object::Sphere if first.enters => sphere::second(&self.ray, self.deformed),
-            _ => None,
-        }
-    }
-
     /// r(λ*) = a + λ* d or A r′(λ*) + t, whichever adds the smaller vector.
     #[inline(always)]
     fn point(&self, crossing: &Crossing<R>) -> R::Vec3 {
         let Deformed { affine, .. } = self.deformed;
-        let [d, t] = [self.ray.direction, affine.t].map(Vector::in_f64::<3>);
-        let columns = affine.a.columns.map(Vector::in_f64::<3>);
-        let lambda: f64 = crossing.lambda.into();
-        let way = d.map(|d| lambda * d);
-        let [x, y, z] = crossing.p;
-        let across: [f64; 3] =
-            [0, 1, 2].map(|axis| columns[0][axis] * x + columns[1][axis] * y + columns[2][axis] * z);
+        let [a, d, t] = [self.ray.origin, self.ray.direction, affine.t].map(Vector::in_f64::<3>);
+        let [e_x, e_y, e_z] = affine.a.columns.map(Vector::in_f64::<3>);
+        let (lambda, [x, y, z]): (f64, _) = (crossing.lambda.into(), crossing.p);
+        let along = d.map(|d| lambda * d);
+        let across: [f64; 3] = [0, 1, 2].map(|axis| e_x[axis] * x + e_y[axis] * y + e_z[axis] * z);
         let size = |v: [f64; 3]| v[0].abs() + v[1].abs() + v[2].abs();
-        if size(across) < size(way) {
-            let [x, y, z] = [0, 1, 2].map(|axis| R::round_from(t[axis] + across[axis]));
-            R::vec3(x, y, z)
-        } else {
-            self.ray.at(crossing.lambda)
-        }
+        let sum = match () {
+            _ if size(across) < size(along) => [0, 1, 2].map(|axis| t[axis] + across[axis]),
+            _ if lambda.is_finite() => [0, 1, 2].map(|axis| a[axis] + along[axis]),
+            // 0 · ∞ is no number
+            _ => return self.ray.at(crossing.lambda),
+        };
+        let [x, y, z] = sum.map(R::round_from);
+        R::vec3(x, y, z)
     }
 }

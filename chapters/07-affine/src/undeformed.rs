@@ -1,6 +1,7 @@
 //! A ray against the unit objects, each by the notes' own formula.
 
 use math::{Hit, Ray3, Real, Span};
+use quadric::Shape;
 use ray_sphere::{HalfQuadratic, Sphere, half_quadratic};
 
 use crate::{Hit3, Object};
@@ -10,8 +11,8 @@ use crate::{Hit3, Object};
 pub enum Undeformed<R: Real> {
     /// The sphere: 11.3.3.
     Sphere(HalfQuadratic<R>),
-    /// Cylinder and cone, not there yet.
-    Solid,
+    /// The cylinder and the cone: 11.3.5.
+    Solid(quadric::Notes<R>),
     /// The plane z = 0.
     Plane(Level<R>),
     /// The triangle in it.
@@ -61,7 +62,8 @@ pub fn undeformed<R: Real>(object: Object, ray: &Ray3<R>) -> Undeformed<R> {
                 &Sphere { center: R::vec3(zero, zero, zero), radius: one },
             ))
         }
-        Object::Cylinder | Object::Cone => Undeformed::Solid,
+        Object::Cylinder => Undeformed::Solid(quadric::notes(ray, Shape::Cylinder)),
+        Object::Cone => Undeformed::Solid(quadric::notes(ray, Shape::Cone)),
         Object::Plane => Undeformed::Plane(Level::of(ray)),
         Object::Triangle => Undeformed::Triangle(Level::of(ray)),
     }
@@ -77,7 +79,8 @@ impl<R: Real> Undeformed<R> {
                 let p = work.ray.at(lambda);
                 Some(Hit { t: lambda, point: p, normal: p })
             }
-            Undeformed::Solid => None,
+            // What overflowed on the way here is no fault of the question: a miss.
+            Undeformed::Solid(work) => work.hit(span).ok().flatten(),
             Undeformed::Plane(level) => span.contains(level.lambda).then(|| level.hit()),
             Undeformed::Triangle(level) => {
                 (span.contains(level.lambda) && level.is_in_triangle()).then(|| level.hit())

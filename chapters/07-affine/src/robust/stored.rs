@@ -1,9 +1,9 @@
 //! What depends on the object alone: adj A and det A, with the sign of det A taken out.
 
-use math::{Bounded, Exact, Ray3, Real, Sure, TwoPart, Vector};
+use math::{Bounded, Exact, Real, TwoPart, Vector};
 
+use crate::Affine;
 use crate::exact_sign::adjugate_and_determinant;
-use crate::{Affine, Deformed};
 
 /// adj A sgn det A and |det A| in one kind of number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,32 +46,4 @@ pub(super) fn exactly<R: Real>(affine: &Affine<R>) -> Scaled<Exact> {
         return Scaled { adjugate: adjugate.map(|row| row.map(|x| -x)), s: -determinant };
     }
     Scaled { adjugate, s: determinant }
-}
-
-/// A ray as the larger space has it, and its moment.
-pub(super) struct Line<N> {
-    /// o″ = adj A (a − t) sgn det A
-    pub(super) o: [N; 3],
-    /// d″ = adj A d sgn det A
-    pub(super) d: [N; 3],
-    /// w = Aᵀ ((a − t) × d)
-    pub(super) w: [N; 3],
-}
-
-impl<N: Sure> Line<N> {
-    /// The ray in the space where the unit object has the scale s.
-    #[inline(always)]
-    pub(super) fn of<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>, adjugate: &[[N; 3]; 3]) -> Line<N> {
-        let Affine { a, t } = deformed.affine;
-        let [origin, d, t] = [ray.origin, ray.direction, t].map(Vector::in_f64::<3>);
-        let columns = a.columns.map(|column| Vector::in_f64::<3>(column).map(N::of));
-        let a_minus_t: [N; 3] = [0, 1, 2].map(|axis| N::difference(origin[axis], t[axis]));
-        let d = d.map(N::of);
-        let moment = N::cross(&a_minus_t, &d);
-        Line {
-            o: [0, 1, 2].map(|row| N::dot(&adjugate[row], &a_minus_t)),
-            d: [0, 1, 2].map(|row| N::dot(&adjugate[row], &d)),
-            w: [0, 1, 2].map(|column| N::dot(&columns[column], &moment)),
-        }
-    }
 }

@@ -1,0 +1,261 @@
+//! The verdict, then λ, each with the first kind of number that is good enough; then the point and its normal.
+
+use std::cmp::Ordering;
+
+use math::{Bounded, Exact, Quadratic, Ray3, Real, Sure, TwoPart, Wide};
+use quadric::robust::{Certainty, Place, Verdict};
+use quadric::{Part, Shape};
+
+use super::line::Line;
+use super::place::{self, Plucker};
+use super::{Crossing, Steps, flat, solid, sphere, stored};
+use crate::{Deformed, Object};
+
+/// What was found.
+pub(super) struct Solved<R> {
+    pub(super) verdict: Verdict,
+    pub(super) steps: Steps,
+    pub(super) crossing: Option<Crossing<R>>,
+}
+
+/// How the solids are solved: their equation by kind.
+fn shape_of(object: Object) -> Option<Shape> {
+    match object {
+        Object::Cylinder => Some(Shape::Cylinder),
+        Object::Cone => Some(Shape::Cone),
+        Object::Sphere | Object::Plane | Object::Triangle => None,
+    }
+}
+
+impl<N: Sure> Line<N> {
+    /// What the ray meets, by signs alone; `None` in doubt, which with [`Exact`] nothing is.
+    #[inline(always)]
+    fn verdict(&self, object: Object) -> Option<Verdict> {
+        match object {
+            Object::Sphere => sphere::verdict(self),
+            Object::Cylinder => solid::verdict(self, Shape::Cylinder),
+            Object::Cone => solid::verdict(self, Shape::Cone),
+            Object::Plane | Object::Triangle => flat::verdict(self, object),
+        }
+    }
+
+    /// The equation of the sphere or the wall; `None` for what is flat.
+    #[inline(always)]
+    fn quadratic(&self, object: Object) -> Option<Quadratic<N>> {
+        match object {
+            Object::Sphere => Some(sphere::quadratic(self)),
+            _ => shape_of(object).map(|shape| solid::quadratic(self, shape)),
+        }
+    }
+
+    /// D / s² of it.
+    #[inline(always)]
+    fn chord(&self, object: Object) -> N {
+        match object {
+            Object::Sphere => sphere::chord(self),
+            Object::Cylinder => solid::chord(self, Shape::Cylinder),
+            Object::Cone => solid::chord(self, Shape::Cone),
+            Object::Plane | Object::Triangle => N::of(0.0),
+        }
+    }
+
+    /// λ of a place where the line enters or leaves; `None` in doubt.
+    #[inline(always)]
+    fn lambda<R: Real>(&self, object: Object, place: Place, enters: bool) -> Option<R> {
+        if let Some(plane) = place.plane {
+            return N::quotient(&self.rise_to(plane), &self.d[2]);
+        }
+        let quadratic = self.quadratic(object)?;
+        if quadratic.a.sign() == Some(Ordering::Equal) {
+            // Along the slope of the cone: −2 B λ + C = 0
+            return N::quotient(&quadratic.c, &(quadratic.b.clone() + quadratic.b));
+        }
+        N::root(&quadratic, if enters { -1.0 } else { 1.0 })
+    }
+
+    /// z s − o″_z: how far the plane of a part is above the origin.
+    #[inline(always)]
+    fn rise_to(&self, part: Part) -> N {
+        let (s, z) = (self.s.clone(), self.o[2].clone());
+        match part {
+            Part::Top | Part::Apex => s - z,
+            Part::Bottom => -(s + z),
+            Part::Base | Part::Wall => -z,
+        }
+    }
+}
+
+/// The place that a verdict names, and whether the ray comes from without.
+#[inline(always)]
+fn place_of(verdict: Verdict) -> Option<(Place, bool)> {
+    match verdict {
+        Verdict::Misses => None,
+        Verdict::Starts(part) => Some((Place { part, plane: None }, true)),
+        Verdict::Enters(place) => Some((place, true)),
+        Verdict::Leaves(place) => Some((place, false)),
+    }
+}
+
+/// The first crossing at λ ≥ 0. The ray must not be degenerate.
+#[inline(always)]
+pub(super) fn first<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> Solved<R> {
+    let near = Line::<Bounded<f64>>::of(ray, deformed, deformed.stored.near);
+    let verdict = near.verdict(deformed.object);
+    let at_once = Certainty::AtOnce;
+    match verdict {
+        Some(Verdict::Misses) => {
+            let steps = near.steps(deformed, [at_once; 2]);
+            return Solved { verdict: Verdict::Misses, steps, crossing: None };
+        }
+        // No λ is certain to the last digit of f64 after a rounding in f64.
+        Some(verdict) if R::DIGITS < f64::MANTISSA_DIGITS => {
+            if let Some(crossing) = near.crossing(deformed, verdict) {
+                return Solved {
+                    verdict,
+                    steps: near.steps(deformed, [at_once; 2]),
+                    crossing: Some(crossing),
+                };
+            }
+        }
+        _ => {}
+    }
+    carefully(ray, deformed, verdict)
+}
+
+/// The same with twice the digits, where the verdict is in doubt, or λ.
+#[inline(never)]
+fn carefully<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>, verdict: Option<Verdict>) -> Solved<R> {
+    let fine = Line::<Bounded<TwoPart>>::of(ray, deformed, deformed.stored.fine);
+    let how = if verdict.is_some() { Certainty::AtOnce } else { Certainty::TwoPart };
+    let Some(verdict) = verdict.or_else(|| fine.verdict(deformed.object)) else {
+        return exactly(ray, deformed, None);
+    };
+    let steps = fine.steps(deformed, [how, Certainty::TwoPart]);
+    if verdict == Verdict::Misses {
+        return Solved { verdict, steps, crossing: None };
+    }
+    match fine.crossing(deformed, verdict) {
+        Some(crossing) => Solved { verdict, steps, crossing: Some(crossing) },
+        None => exactly(ray, deformed, Some((verdict, how))),
+    }
+}
+
+/// The same in integers as long as it takes.
+#[cold]
+#[inline(never)]
+fn exactly<R: Real>(
+    ray: &Ray3<R>,
+    deformed: &Deformed<R>,
+    verdict: Option<(Verdict, Certainty)>,
+) -> Solved<R> {
+    let exact = Line::of(ray, deformed, stored::exactly(&deformed.affine));
+    // No sign of an exact number is in doubt.
+    let (verdict, how) = verdict
+        .unwrap_or_else(|| (exact.verdict(deformed.object).unwrap_or(Verdict::Misses), Certainty::Exact));
+    let steps = exact.steps(deformed, [how, Certainty::Exact]);
+    Solved { verdict, steps, crossing: exact.exact_crossing(deformed, verdict) }
+}
+
+/// Where a line that meets a solid leaves it, at an λ of either sign; `None` for what is flat.
+#[cold]
+#[inline(never)]
+pub(super) fn exit<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> Option<Crossing<R>> {
+    let exact = Line::of(ray, deformed, stored::exactly(&deformed.affine));
+    let place = match (deformed.object, shape_of(deformed.object)) {
+        (Object::Sphere, _) => sphere::WALL,
+        (_, Some(shape)) => solid::beside(&exact, shape).exit()?,
+        _ => return None,
+    };
+    exact.exact_crossing(deformed, Verdict::Leaves(place))
+}
+
+impl<T: Copy> Line<Bounded<T>>
+where
+    Bounded<T>: Sure,
+{
+    /// The crossing that a verdict names; `None` where λ is in doubt, or a number overflows.
+    #[inline(always)]
+    fn crossing<R: Real>(&self, deformed: &Deformed<R>, verdict: Verdict) -> Option<Crossing<R>> {
+        let object = deformed.object;
+        let (place, enters) = place_of(verdict)?;
+        let about = |v: &[Bounded<T>; 3]| [v[0].about(), v[1].about(), v[2].about()];
+        let (lambda, p) = if let Verdict::Starts(_) = verdict {
+            let s = self.s.about();
+            (R::from(0.0), about(&self.o).map(|x| x / s))
+        } else {
+            let line = Plucker { d: about(&self.d), w: about(&self.w), chord: self.chord(object).about() };
+            (self.lambda(object, place, enters)?, line.point(object, place, enters))
+        };
+        let n = place::normal(object, place.part, p);
+        // A⁻ᵀ n is adjᵀ A n but for its length.
+        let [x, y, z] = deformed.stored.near.adjugate.map(|row| row.map(|x| x.value));
+        let m = [0, 1, 2].map(|axis| x[axis] * n[0] + y[axis] * n[1] + z[axis] * n[2]);
+        let largest = m.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let fits = p.iter().chain(&m).all(|x| x.is_finite()) && largest > 0.0;
+        let lambda = lambda + R::from(0.0); // minus zero is zero
+        fits.then(|| Crossing { lambda, p, n, a_inverse_transposed_n: m.map(|x| x / largest), enters })
+    }
+}
+
+impl Line<Exact> {
+    /// The same, in numbers that cannot overflow.
+    fn exact_crossing<R: Real>(&self, deformed: &Deformed<R>, verdict: Verdict) -> Option<Crossing<R>> {
+        let object = deformed.object;
+        let (place, enters) = place_of(verdict)?;
+        let wide = |v: &[Exact; 3]| [v[0].to_wide(), v[1].to_wide(), v[2].to_wide()];
+        let (lambda, p) = if let Verdict::Starts(_) = verdict {
+            let s = self.s.to_wide();
+            (R::from(0.0), wide(&self.o).map(|x| (x / s).to_f64()))
+        } else {
+            // d and w may be multiplied by any number: d by one that makes it fit.
+            let (d, largest) = (wide(&self.d), largest(wide(&self.d)));
+            let chord = (self.chord(object).to_wide() / (largest * largest)).to_f64();
+            let [d, w] = [d, wide(&self.w)].map(|v| v.map(|x| (x / largest).to_f64()));
+            (self.lambda(object, place, enters)?, Plucker { d, w, chord }.point(object, place, enters))
+        };
+        let n = place::normal(object, place.part, p);
+        let [x, y, z] = stored::exactly(&deformed.affine).adjugate.map(|row| wide(&row));
+        let normal = n.map(Wide::from);
+        let m = [0, 1, 2].map(|axis| x[axis] * normal[0] + y[axis] * normal[1] + z[axis] * normal[2]);
+        let longest = largest(m);
+        let a_inverse_transposed_n = m.map(|x| (x / longest).to_f64());
+        Some(Crossing { lambda: lambda + R::from(0.0), p, n, a_inverse_transposed_n, enters })
+    }
+}
+
+/// The size of the largest component of a vector that is not zero.
+fn largest(v: [Wide; 3]) -> Wide {
+    let size = |x: Wide| if x.is_negative() { -x } else { x };
+    v.into_iter().map(size).fold(Wide::ZERO, |most, x| if (most - x).is_negative() { x } else { most })
+}
+
+impl<N: Sure> Line<N> {
+    /// The numbers for the reader.
+    #[inline(always)]
+    fn steps<R: Real>(&self, deformed: &Deformed<R>, [certainty, lambda_certainty]: [Certainty; 2]) -> Steps {
+        let about = |v: &[N; 3]| [v[0].about(), v[1].about(), v[2].about()];
+        let quadratic = self.quadratic(deformed.object);
+        let quadratic = quadratic.map(|Quadratic { a, b, c, d }| [a, b, c, d].map(|x| x.about()));
+        // in the line the sign of det A is in it
+        let w = about(&self.w).map(|x| if deformed.stored.mirrors { -x } else { x });
+        let (o, d, s) = (about(&self.o), about(&self.d), self.s.about());
+        Steps { certainty, lambda_certainty, o, d, s, w, quadratic }
+    }
+}
+
+impl<R> Solved<R> {
+    /// For a ray that asks nothing.
+    pub(super) const NOTHING: Solved<R> = Solved {
+        verdict: Verdict::Misses,
+        steps: Steps {
+            certainty: Certainty::AtOnce,
+            lambda_certainty: Certainty::AtOnce,
+            o: [f64::NAN; 3],
+            d: [f64::NAN; 3],
+            s: f64::NAN,
+            w: [f64::NAN; 3],
+            quadratic: None,
+        },
+        crossing: None,
+    };
+}

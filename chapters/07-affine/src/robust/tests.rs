@@ -1,0 +1,89 @@
+//! Closed forms by hand, and the ends of the range.
+
+use glam::DVec3;
+use math::{Ray3, Span};
+
+use super::{Certainty, robust};
+use crate::{Affine, Deformed, Matrix3, Object};
+
+fn deformed(object: Object, rows: [[f64; 3]; 3], t: [f64; 3]) -> Deformed<f64> {
+    Deformed::new(object, Affine { a: Matrix3::from_rows(rows), t: t.into() }).unwrap()
+}
+
+/// By hand: half axes 2, 1 and 4 around (1, 0, 3).
+#[test]
+fn closed_forms() {
+    let longer = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 4.0]];
+    let hit = |object, [x, z, d_x, d_z]: [f64; 4]| {
+        let ray = Ray3::<f64>::new(DVec3::new(x, 0.0, z), DVec3::new(d_x, 0.0, d_z));
+        let deformed = deformed(object, longer, [1.0, 0.0, 3.0]);
+        robust(&ray, &deformed).hit(Span::ahead()).unwrap().map(|hit| (hit.t, hit.point, hit.normal))
+    };
+    let at = DVec3::new;
+    let (x, z) = (DVec3::X, DVec3::Z);
+    assert_eq!(hit(Object::Sphere, [-9.0, 3.0, 1.0, 0.0]), Some((8.0, at(-1.0, 0.0, 3.0), -x)));
+    assert_eq!(hit(Object::Sphere, [1.0, 3.0, 1.0, 0.0]), Some((2.0, at(3.0, 0.0, 3.0), x)), "from inside");
+    assert_eq!(hit(Object::Sphere, [-1.0, 0.0, 0.0, 1.0]), Some((3.0, at(-1.0, 0.0, 3.0), -x)), "a tangent");
+    assert_eq!(hit(Object::Cylinder, [1.0, 10.0, 0.0, -2.0]), Some((1.5, at(1.0, 0.0, 7.0), z)), "its cap");
+    assert_eq!(hit(Object::Cylinder, [9.0, 4.0, -2.0, 0.0]), Some((3.0, at(3.0, 0.0, 4.0), x)), "its wall");
+    assert_eq!(hit(Object::Cone, [1.0, 10.0, 0.0, -2.0]), Some((1.5, at(1.0, 0.0, 7.0), z)), "its apex");
+    assert_eq!(hit(Object::Cone, [1.0, -9.0, 0.0, 1.0]), Some((12.0, at(1.0, 0.0, 3.0), -z)), "its base");
+    assert_eq!(hit(Object::Plane, [-9.0, 5.0, 1.0, -1.0]), Some((2.0, at(-7.0, 0.0, 3.0), z)));
+    assert_eq!(hit(Object::Triangle, [3.0, 5.0, 0.0, -1.0]), Some((2.0, at(3.0, 0.0, 3.0), z)), "its corner");
+    assert_eq!(hit(Object::Triangle, [3.0_f64.next_up(), 5.0, 0.0, -1.0]), None);
+}
+
+/// A ray that starts on the surface and looks farther finds where it leaves.
+#[test]
+fn what_comes_too_early_is_passed_over() {
+    let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let beyond = Span::new(1e-3, f64::INFINITY);
+    for (object, from, leaves_at) in
+        [(Object::Sphere, -1.0, 2.0), (Object::Cylinder, -1.0, 2.0), (Object::Cone, 0.0, 1.0)]
+    {
+        let deformed = deformed(object, identity, [0.0; 3]);
+        let inward = Ray3::new(DVec3::new(0.0, 0.0, from), DVec3::Z);
+        assert_eq!(robust(&inward, &deformed).hit(Span::ahead()).unwrap().unwrap().t, 0.0);
+        let hit = robust(&inward, &deformed).hit(beyond).unwrap().unwrap();
+        assert_eq!((hit.t, hit.normal), (leaves_at, DVec3::Z), "{}", object.name());
+        let outward = Ray3::new(DVec3::new(0.0, 0.0, from), -DVec3::Z);
+        assert_eq!(robust(&outward, &deformed).hit(beyond).unwrap(), None);
+    }
+    let plane = deformed(Object::Plane, identity, [0.0; 3]);
+    assert_eq!(robust(&Ray3::new(DVec3::ZERO, DVec3::Z), &plane).hit(beyond).unwrap(), None);
+}
+
+/// A tangent of whole numbers is one at every scale at which they are floats: det A of 1e900 or of 1e−900.
+#[test]
+fn a_tangent_is_a_tangent_at_every_scale() {
+    for power in [-1000, -300, -40, 0, 40, 300, 1000] {
+        let scale = 2.0_f64.powi(power);
+        // by hand: the ray x = 3 touches the sphere of half axes 3, 2 and 5, mirrored or not
+        for mirrored in [1.0, -1.0] {
+            let rows = [[3.0 * scale, 0.0, 0.0], [0.0, mirrored * 2.0 * scale, 0.0], [0.0, 0.0, 5.0 * scale]];
+            let sphere = deformed(Object::Sphere, rows, [0.0, 0.0, 8.0 * scale]);
+            let hit = |x: f64| {
+                robust(&Ray3::new(DVec3::new(x, 0.0, 0.0), DVec3::Z), &sphere).hit(Span::ahead()).unwrap()
+            };
+            let touching = hit(3.0 * scale).unwrap();
+            assert_eq!((touching.t, touching.normal), (8.0 * scale, DVec3::X), "2^{power}");
+            assert_eq!(touching.point, DVec3::new(3.0, 0.0, 8.0) * scale);
+            assert_eq!(hit((3.0 * scale).next_up()), None);
+            assert!(hit((3.0 * scale).next_down()).is_some());
+        }
+    }
+}
+
+/// Each kind of number is used by the rays that it is for.
+#[test]
+fn three_kinds_of_number() {
+    let rows = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let sphere = deformed(Object::Sphere, rows, [0.0; 3]);
+    let certainties = |x: f64| {
+        let steps = robust(&Ray3::new(DVec3::new(x, 0.0, -8.0), DVec3::Z), &sphere).steps;
+        (steps.certainty, steps.lambda_certainty)
+    };
+    assert_eq!(certainties(3.0), (Certainty::AtOnce, Certainty::AtOnce), "a clear miss");
+    assert_eq!(certainties(0.7), (Certainty::AtOnce, Certainty::TwoPart), "a clear hit");
+    assert_eq!(certainties(2.0 - 1e-15), (Certainty::TwoPart, Certainty::TwoPart), "next to a tangent");
+}
