@@ -163,11 +163,27 @@ impl Sure for Bounded<f64> {
     #[inline(always)]
     fn root<R: Real>(quadratic: &Quadratic<Self>, s: f64) -> Option<R> {
         let Quadratic { a, b, c, d } = *quadratic;
-        let root = d.value.max(0.0).sqrt();
-        let s_root = Bounded { value: s * root, error: root_error(root, d.error) + ROUNDING * root };
+        let root = d.sqrt();
+        let s_root = Bounded { value: s * root.value, ..root };
         let adds = b.value * s >= 0.0;
         let t = if adds { (b + s_root) / a } else { c / (b - s_root) };
         Self::rounded(t.value, t.error)
+    }
+}
+
+impl Bounded<f64> {
+    /// √x, of a number that is not below zero or is so by its error alone.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let root = self.value.max(0.0).sqrt();
+        Bounded { value: root, error: root_error(root, self.error) + ROUNDING * root }
+    }
+
+    /// t + x to the precision of R, for a small correction x of a t as it is: off by less than a unit of its last digit,
+    /// like [`Sure::quotient`]. `None` where the error of x is too large for that.
+    #[inline(always)]
+    pub fn added_to<R: Real>(self, t: f64) -> Option<R> {
+        Self::rounded(t + self.value, self.error)
     }
 }
 
@@ -399,6 +415,20 @@ mod tests {
             None,
             "a digit off is too much"
         );
+    }
+
+    /// 1/3 + 1/3 · 2^−60, which no f64 holds: the correction counts where it is larger than half of the last digit.
+    #[test]
+    fn a_correction_is_rounded_once() {
+        let third = 1.0 / 3.0;
+        let correction = |value: f64, error: f64| Bounded { value, error }.added_to::<f64>(third);
+        assert_eq!(correction(third * 2.0_f64.powi(-60), 1e-30), Some(third));
+        assert_eq!(correction(third * 2.0_f64.powi(-52), 1e-30), Some(third.next_up()));
+        assert_eq!(correction(third * 2.0_f64.powi(-60), 1e-16), None, "an error as large as the last digit");
+        let root = Bounded { value: 2.0, error: 1e-9 }.sqrt();
+        assert!(root.value == 2.0_f64.sqrt() && root.error >= 1e-9 / 8.0_f64.sqrt());
+        let none_left = Bounded { value: -1e-20, error: 1e-18 }.sqrt();
+        assert!(none_left.value == 0.0 && none_left.error >= 1e-9, "√ of what it may be");
     }
 
     #[test]
