@@ -25,6 +25,7 @@
 //! verdict, which consists of signs, then for the λ of the one place that is met. What this promises for every finite
 //! ray and every matrix that is not singular: hit or miss is exact, and λ is off by less than a unit of its last digit.
 
+mod corrected;
 mod flat;
 mod line;
 mod place;

@@ -6,6 +6,7 @@ use math::{Bounded, Exact, Quadratic, Ray3, Real, Sure, TwoPart, Wide};
 use quadric::robust::{Certainty, Place, Verdict};
 use quadric::{Part, Shape};
 
+use super::corrected::{Corrected, corrected};
 use super::line::Line;
 use super::place::{self, Plucker};
 use super::{Crossing, Steps, flat, solid, sphere, stored};
@@ -41,7 +42,7 @@ impl<N: Sure> Line<N> {
 
     /// The equation of the sphere or the wall; `None` for what is flat.
     #[inline(always)]
-    fn quadratic(&self, object: Object) -> Option<Quadratic<N>> {
+    pub(super) fn quadratic(&self, object: Object) -> Option<Quadratic<N>> {
         match object {
             Object::Sphere => Some(sphere::quadratic(self)),
             _ => shape_of(object).map(|shape| solid::quadratic(self, shape)),
@@ -75,7 +76,7 @@ impl<N: Sure> Line<N> {
 
     /// z s − o″_z: how far the plane of a part is above the origin.
     #[inline(always)]
-    fn rise_to(&self, part: Part) -> N {
+    pub(super) fn rise_to(&self, part: Part) -> N {
         let (s, z) = (self.s.clone(), self.o[2].clone());
         match part {
             Part::Top | Part::Apex => s - z,
@@ -100,29 +101,25 @@ fn place_of(verdict: Verdict) -> Option<(Place, bool)> {
 #[inline(always)]
 pub(super) fn first<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> Solved<R> {
     let near = Line::<Bounded<f64>>::of(ray, deformed, deformed.stored.near);
-    let verdict = near.verdict(deformed.object);
-    let at_once = Certainty::AtOnce;
-    match verdict {
-        Some(Verdict::Misses) => {
-            let steps = near.steps(deformed, [at_once; 2]);
-            return Solved { verdict: Verdict::Misses, steps, crossing: None };
-        }
-        // No λ is certain to the last digit of f64 after a rounding in f64.
-        Some(verdict) if R::DIGITS < f64::MANTISSA_DIGITS => {
-            if let Some(crossing) = near.crossing(deformed, verdict) {
-                return Solved {
-                    verdict,
-                    steps: near.steps(deformed, [at_once; 2]),
-                    crossing: Some(crossing),
-                };
-            }
-        }
-        _ => {}
+    let Some(verdict) = near.verdict(deformed.object) else { return carefully(ray, deformed, None) };
+    let steps = |lambda_certainty| near.steps(deformed, [Certainty::AtOnce, lambda_certainty]);
+    if verdict == Verdict::Misses {
+        return Solved { verdict, steps: steps(Certainty::AtOnce), crossing: None };
     }
-    carefully(ray, deformed, verdict)
+    // No λ is certain to the last digit of f64 after a rounding in f64.
+    let (crossing, how) = if R::DIGITS < f64::MANTISSA_DIGITS {
+        (near.crossing(deformed, verdict), Certainty::AtOnce)
+    } else {
+        (near.corrected_crossing(ray, deformed, verdict), Certainty::TwoPart)
+    };
+    match crossing {
+        Some(_) => Solved { verdict, steps: steps(how), crossing },
+        None => carefully(ray, deformed, Some(verdict)),
+    }
 }
 
 /// The same with twice the digits, where the verdict is in doubt, or λ.
+#[cold]
 #[inline(never)]
 fn carefully<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>, verdict: Option<Verdict>) -> Solved<R> {
     let fine = Line::<Bounded<TwoPart>>::of(ray, deformed, deformed.stored.fine);
@@ -186,15 +183,45 @@ where
             let line = Plucker { d: about(&self.d), w: about(&self.w), chord: self.chord(object).about() };
             (self.lambda(object, place, enters)?, line.point(object, place, enters))
         };
-        let n = place::normal(object, place.part, p);
-        // A⁻ᵀ n is adjᵀ A n but for its length.
-        let [x, y, z] = deformed.stored.near.adjugate.map(|row| row.map(|x| x.value));
-        let m = [0, 1, 2].map(|axis| x[axis] * n[0] + y[axis] * n[1] + z[axis] * n[2]);
-        let largest = m.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let fits = p.iter().chain(&m).all(|x| x.is_finite()) && largest > 0.0;
-        let lambda = lambda + R::from(0.0); // minus zero is zero
-        fits.then(|| Crossing { lambda, p, n, a_inverse_transposed_n: m.map(|x| x / largest), enters })
+        crossing_at(deformed, lambda, p, place.part, enters)
     }
+}
+
+impl Line<Bounded<f64>> {
+    /// The same with λ corrected to the last digit of `f64`.
+    #[inline(always)]
+    fn corrected_crossing<R: Real>(
+        &self,
+        ray: &Ray3<R>,
+        deformed: &Deformed<R>,
+        verdict: Verdict,
+    ) -> Option<Crossing<R>> {
+        if let Verdict::Starts(_) = verdict {
+            return self.crossing(deformed, verdict);
+        }
+        let (place, enters) = place_of(verdict)?;
+        let Corrected { lambda, p } = corrected(self, ray, deformed, place, enters)?;
+        crossing_at(deformed, lambda, p, place.part, enters)
+    }
+}
+
+/// The crossing at a point of the unit object, with its normal; `None` where a number overflows.
+#[inline(always)]
+fn crossing_at<R: Real>(
+    deformed: &Deformed<R>,
+    lambda: R,
+    p: [f64; 3],
+    part: Part,
+    enters: bool,
+) -> Option<Crossing<R>> {
+    let n = place::normal(deformed.object, part, p);
+    // A⁻ᵀ n is adjᵀ A n but for its length.
+    let [x, y, z] = deformed.stored.near.adjugate.map(|row| row.map(|x| x.value));
+    let m = [0, 1, 2].map(|axis| x[axis] * n[0] + y[axis] * n[1] + z[axis] * n[2]);
+    let largest = m.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let fits = p.iter().chain(&m).all(|x| x.is_finite()) && largest > 0.0;
+    let lambda = lambda + R::from(0.0); // minus zero is zero
+    fits.then(|| Crossing { lambda, p, n, a_inverse_transposed_n: m.map(|x| x / largest), enters })
 }
 
 impl Line<Exact> {

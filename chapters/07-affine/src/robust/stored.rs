@@ -34,7 +34,8 @@ impl Stored {
 }
 
 /// The first part, with the second in its error.
-fn leading(x: Bounded<TwoPart>) -> Bounded<f64> {
+#[inline(always)]
+pub(super) fn leading(x: Bounded<TwoPart>) -> Bounded<f64> {
     Bounded { value: x.value.hi, error: x.value.lo.abs() + x.error }
 }
 
