@@ -56,9 +56,11 @@ impl<R: Real> Found<R> {
         deformed.affine.a.times(self.n).normalized()
     }
 
-    /// The page's exercise worked out.
-    pub fn verify(&self, deformed: &Deformed<R>) -> BothWays<R> {
-        let (along_the_ray, through_the_object) = (self.point, deformed.affine.apply(self.p));
+    /// The page's exercise worked out for the ray that was asked for.
+    ///
+    /// (Not for `self.point`: a method may have found that by the right-hand side.)
+    pub fn verify(&self, ray: &Ray3<R>, deformed: &Deformed<R>) -> BothWays<R> {
+        let (along_the_ray, through_the_object) = (ray.at(self.lambda), deformed.affine.apply(self.p));
         BothWays { along_the_ray, through_the_object, difference: through_the_object - along_the_ray }
     }
 
