@@ -19,6 +19,7 @@ pub mod notes;
 #[cfg(feature = "stage")]
 pub mod regimes;
 pub mod robust;
+pub mod scene;
 pub mod solved;
 #[cfg(feature = "stage")]
 pub mod stage;
