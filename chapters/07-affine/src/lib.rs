@@ -17,6 +17,8 @@ pub mod matrix;
 mod measure;
 pub mod notes;
 #[cfg(feature = "stage")]
+mod picture;
+#[cfg(feature = "stage")]
 pub mod regimes;
 pub mod robust;
 pub mod scene;

@@ -1,13 +1,12 @@
 //! How this chapter shows and evaluates itself.
 
-use math::{Ray3, Real, Span};
-use stage::{
-    About, Ask, Canvas, Case, Chapter, Color, Error, Row, Shown, TradeAsk, Traded, Transcript, Value,
-};
+use math::{Real, Span};
+use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript};
 
 use crate::measure::question;
+use crate::picture::Layout;
 use crate::regimes::regimes;
-use crate::{Deformed, Method, Object};
+use crate::{Deformed, Method, picture, scene};
 
 /// The stage `affine`.
 pub struct Affine;
@@ -21,7 +20,8 @@ impl Chapter for Affine {
             notes: "CSC418 11.3.4, 11.6.1",
             methods: Method::ALL.map(Method::name).to_vec(),
             size: (720, 480),
-            picture: "The unit sphere, cylinder, cone, plane and triangle, each deformed by an affine map.",
+            picture: "The unit sphere, cylinder, cone, plane and triangle, each deformed; the squashed sphere cut open, \
+                      with A⁻ᵀ n and A n drawn, and shaded by the one and by the other.",
             inputs: &[
                 "ox", "oy", "oz", "dx", "dy", "dz", "shape", "a11", "a12", "a13", "a21", "a22", "a23", "a31",
                 "a32", "a33", "tx", "ty", "tz",
@@ -36,28 +36,17 @@ impl Chapter for Affine {
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
         let method = Method::ALL[ask.method];
-        let mut transcript = Transcript::new(&self.about(), ask);
-        let (zero, one, two) = (R::from(0.0), R::from(1.0), R::from(2.0));
-        let ray = Ray3::<R>::new(R::vec3(zero, zero, -two - two), R::vec3(zero, zero, one));
-        let affine = crate::Affine {
-            a: crate::Matrix3::from_rows([[two, zero, zero], [zero, one, zero], [zero, zero, one]]),
-            t: R::vec3(one, zero, zero),
+        let camera = scene::camera::<R>(Layout::of(ask.size).window(ask.size))?;
+        let objects = scene::five::<R>()?;
+        let ray = match ask.pixel {
+            Some(pixel) => scene::pixel_ray(&camera, ask.size, pixel),
+            None => scene::worked(&camera),
         };
-        let found = Deformed::new(Object::Sphere, affine)
-            .and_then(|deformed| method.work(&ray, &deformed).found(Span::ahead()));
-        let section =
-            transcript.section(format!("affine · {} · {}", method.name(), R::NAME), "CSC418 11.3.4");
-        match found {
-            Ok(Some(found)) => {
-                section.number("λ*", "of the object's own method", found.lambda);
-                section.vector::<R>("r(λ*)", "a + λ* d", found.point);
-                section.vector::<R>("n", "A⁻ᵀ n / ‖A⁻ᵀ n‖", found.normal());
-            }
-            _ => {
-                section.step("λ*", "of the object's own method", Value::text("none"));
-            }
-        }
-        Ok(Shown { transcript, picture: Canvas::new(ask.size, Color::WHITE)? })
+
+        let transcript = Transcript::new(&self.about(), ask);
+
+        let picture = picture::draw(method, ask.size, &camera, &objects, &ray)?;
+        Ok(Shown { transcript, picture })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
