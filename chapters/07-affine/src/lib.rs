@@ -11,6 +11,8 @@
 
 mod deformed;
 pub mod exact_sign;
+#[cfg(feature = "stage")]
+mod explain;
 mod found;
 pub mod matrix;
 #[cfg(feature = "stage")]

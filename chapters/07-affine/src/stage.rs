@@ -6,7 +6,7 @@ use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Tran
 use crate::measure::question;
 use crate::picture::Layout;
 use crate::regimes::regimes;
-use crate::{Deformed, Method, picture, scene};
+use crate::{Deformed, Method, explain, picture, scene};
 
 /// The stage `affine`.
 pub struct Affine;
@@ -42,8 +42,14 @@ impl Chapter for Affine {
             Some(pixel) => scene::pixel_ray(&camera, ask.size, pixel),
             None => scene::worked(&camera),
         };
+        // What the ray meets first, else the squashed sphere, is explained.
+        let subject = scene::first(method, &ray, &objects).map_or(0, |(index, _)| index);
 
-        let transcript = Transcript::new(&self.about(), ask);
+        let mut transcript = Transcript::new(&self.about(), ask);
+        explain::explain(&mut transcript, method, &ray, &objects[subject]);
+        explain::one_ray(&mut transcript, method, &ray, &objects);
+        explain::five_rays(&mut transcript, method, camera.e, &objects);
+        explain::condition::<R>(&mut transcript);
 
         let picture = picture::draw(method, ask.size, &camera, &objects, &ray)?;
         Ok(Shown { transcript, picture })
