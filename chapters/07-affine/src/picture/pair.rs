@@ -21,7 +21,7 @@ pub(crate) struct Pair<'a, R: Real> {
 impl<'a, R: Real> Pair<'a, R> {
     pub(crate) fn new(method: Method, squashed: &'a Placed<R>, part: Part) -> Pair<'a, R> {
         let half = |left: f32| {
-            View::new((-1.25, -1.0), (1.25, 1.0), part.at(left, 34.0), part.at(left + 132.0, 150.0))
+            View::new((-1.16, -1.0), (1.16, 1.0), part.at(left, 34.0), part.at(left + 132.0, 150.0))
         };
         Pair {
             method,

@@ -22,7 +22,7 @@ const POINTS: [(f32, f32, f32); 8] = [
 
 /// How long the normals are drawn, and half a tangent.
 const NORMAL: f64 = 0.6;
-const TANGENT: f64 = 0.3;
+const TANGENT: f64 = 0.42;
 
 /// What the circle takes, and both halves are drawn to the same scale.
 const HALF_HEIGHT: f64 = 1.62;
