@@ -78,30 +78,29 @@ fn both_ways<R: Real>(
     deformed: &Deformed<R>,
 ) {
     let both = found.verify(ray, deformed);
+    let [x, y, difference] = [both.along_the_ray, both.through_the_object, both.difference].map(plain::<R>);
     let how = if method == Method::Robust { "from d″ and w" } else { "ā′ + λ* d⃗′" };
-    let zero = R::from(0.0);
-    let [x, y, z] = R::xyz(both.difference);
-    let is_zero = [x, y, z].iter().all(|&x| x == zero);
     transcript
         .section("The exercise: verify that r̄(λ*) = A r̄′(λ*) + t⃗", "CSC418 11.3.4")
-        .vector::<R>("r̄′(λ*)", how, found.p)
+        .vector::<R>("r̄′(λ*)", how, plain::<R>(found.p))
         .note("on the undeformed object")
-        .vector::<R>("r̄(λ*)", "ā + λ* d⃗", both.along_the_ray)
-        .vector::<R>("ȳ", "A r̄′(λ*) + t⃗", both.through_the_object)
-        .vector::<R>("difference", "ȳ − r̄(λ*)", both.difference)
-        .note(if is_zero { "the same" } else { "the same on paper" });
+        .vector::<R>("r̄(λ*)", "ā + λ* d⃗", x)
+        .vector::<R>("ȳ", "A r̄′(λ*) + t⃗", y)
+        .vector::<R>("difference", "ȳ − r̄(λ*)", difference)
+        .note(if difference.is_zero() { "the same" } else { "the same on paper" });
 }
 
 /// 11.6.1: the tangent plane goes with the object, the normal does not go with A.
 fn normals<R: Real>(transcript: &mut Transcript, found: &Found<R>, deformed: &Deformed<R>) {
     let a = &deformed.affine.a;
-    let (n, right, wrong) = (found.n, found.normal(), found.wrong_normal(deformed));
-    let v = tangent::<R>(n);
-    let a_v = a.times(v);
+    let [n, deformed_n] = [found.n, found.a_inverse_transposed_n].map(plain::<R>);
+    let [right, wrong] = [found.normal(), found.wrong_normal(deformed)].map(plain::<R>);
+    let v = plain::<R>(tangent::<R>(n));
+    let a_v = plain::<R>(a.times(v));
     transcript
         .section("The normal: A⁻ᵀ n⃗, and not A n⃗", "CSC418 11.6.1, Eq. (2)")
         .vector::<R>("n⃗", "of the undeformed object at r̄′(λ*)", n)
-        .vector::<R>("A⁻ᵀ n⃗", "the plane's normal in (5)", found.a_inverse_transposed_n)
+        .vector::<R>("A⁻ᵀ n⃗", "the plane's normal in (5)", deformed_n)
         .vector::<R>("A⁻ᵀ n⃗/‖A⁻ᵀ n⃗‖", "(2)", right)
         .note(side(deformed))
         .vector::<R>("A n⃗/‖A n⃗‖", "n⃗ deformed like a step", wrong)
@@ -110,9 +109,9 @@ fn normals<R: Real>(transcript: &mut Transcript, found: &Found<R>, deformed: &De
         .vector::<R>("v⃗", "a step along the undeformed object", v)
         .note("n⃗ · v⃗ = 0")
         .vector::<R>("A v⃗", "the same step along the deformed one", a_v)
-        .number("A⁻ᵀ n⃗ · A v⃗", "= n⃗ · A⁻¹ A v⃗ = n⃗ · v⃗", found.a_inverse_transposed_n.dot(a_v))
+        .number("A⁻ᵀ n⃗ · A v⃗", "= n⃗ · A⁻¹ A v⃗ = n⃗ · v⃗", deformed_n.dot(a_v) + R::from(0.0))
         .note("0 on paper: at right angles")
-        .number("A n⃗ · A v⃗", "= n⃗ · Aᵀ A v⃗", a.times(n).dot(a_v))
+        .number("A n⃗ · A v⃗", "= n⃗ · Aᵀ A v⃗", a.times(n).dot(a_v) + R::from(0.0))
         .remark("The last is zero for every v⃗ only where A scales alike in all directions and turns.");
 }
 
@@ -135,6 +134,12 @@ fn tangent<R: Real>(n: R::Vec3) -> R::Vec3 {
         _ => R::vec3(zero, zero, one),
     };
     R::cross(axis, n)
+}
+
+/// Minus zero is zero, for a reader.
+fn plain<R: Real>(v: R::Vec3) -> R::Vec3 {
+    let zero = R::from(0.0);
+    v + R::vec3(zero, zero, zero)
 }
 
 /// The angle between two vectors, to a tenth of a degree.

@@ -35,13 +35,13 @@ pub(crate) fn draw<R: Real>(
     canvas.fit(layout.frame.0, layout.frame.1);
     let squashed = &objects[0];
     let pair = Pair::new(method, squashed, layout.pair);
-    let blank = canvas.clone();
     canvas.shade(|col, row| {
-        let place = blank.place_of((col, row));
-        if layout.pair.holds(place) {
-            return pair.color(place);
+        let place = layout.place_of(size, (col, row));
+        match () {
+            _ if layout.pair.holds(place) => pair.color(place),
+            _ if layout.section.holds(place) => Color::WHITE,
+            _ => color(method, &pixel_ray(camera, size, (col, row)), objects),
         }
-        color(method, &pixel_ray(camera, size, (col, row)), objects)
     });
     name_objects(&mut canvas, &layout, objects);
     section::draw(&mut canvas, &layout.section, &squashed.deformed);

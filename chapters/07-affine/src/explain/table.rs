@@ -3,7 +3,7 @@
 use math::{Ray3, Real, Span, Vector};
 use stage::{Transcript, Value};
 
-use super::degrees;
+use super::{degrees, plain};
 use crate::Method;
 use crate::scene::{Placed, first};
 
@@ -20,7 +20,7 @@ pub(crate) fn one_ray<R: Real>(
         let name = [Value::text(placed.name), Value::text(placed.what)];
         let none = || Value::text("none");
         let values = match work.found(Span::ahead()) {
-            Ok(Some(found)) => [Value::number(found.lambda), Value::vector::<R>(found.p)],
+            Ok(Some(found)) => [Value::number(found.lambda), Value::vector::<R>(plain::<R>(found.p))],
             _ => [none(), none()],
         };
         name.into_iter().chain(values).collect()
@@ -57,7 +57,7 @@ pub(crate) fn five_rays<R: Real>(
         let rest = match method.work(&ray, deformed).found(Span::ahead()) {
             Ok(Some(found)) => {
                 let difference: f64 = found.verify(&ray, deformed).difference.length().into();
-                let (right, wrong) = (found.normal(), found.wrong_normal(deformed));
+                let (right, wrong) = (plain::<R>(found.normal()), found.wrong_normal(deformed));
                 [
                     Value::number(found.lambda),
                     one_digit(difference),

@@ -83,15 +83,25 @@ impl Layout {
 
     /// The window on the view plane that the whole picture of `size` pixels shows.
     pub(crate) fn window<R: Real>(&self, size: (u32, u32)) -> Window<R> {
-        let (columns, rows) = (f64::from(size.0), f64::from(size.1));
-        let (width, height) = (f64::from(self.frame.0), f64::from(self.frame.1));
-        // as Canvas::fit lays the frame: as large as fits, in the middle
-        let scale = (columns / width).min(rows / height);
-        let (x, y) = ((columns / scale - width) / 2.0, (rows / scale - height) / 2.0);
-        let (left, top) = self.view().plane((-x, -y));
-        let (right, bottom) = self.view().plane((width + x, height + y));
+        let (left, top) = self.view().plane(self.place(size, (0.0, 0.0)));
+        let (right, bottom) = self.view().plane(self.place(size, (f64::from(size.0), f64::from(size.1))));
         let [left, right, bottom, top] = [left, right, bottom, top].map(R::round_from);
         Window { left, right, bottom, top }
+    }
+
+    /// Where the center of a pixel lies on the drawing.
+    pub(crate) fn place_of(&self, size: (u32, u32), (col, row): (u32, u32)) -> (f64, f64) {
+        self.place(size, (f64::from(col) + 0.5, f64::from(row) + 0.5))
+    }
+
+    /// Where a place given in pixels lies on the drawing: as [`stage::Canvas::fit`] lays the frame, as large as fits
+    /// and in the middle.
+    fn place(&self, size: (u32, u32), (x, y): (f64, f64)) -> (f64, f64) {
+        let (columns, rows) = (f64::from(size.0), f64::from(size.1));
+        let (width, height) = (f64::from(self.frame.0), f64::from(self.frame.1));
+        let scale = (columns / width).min(rows / height);
+        let (left, top) = ((columns - scale * width) / 2.0, (rows - scale * height) / 2.0);
+        ((x - left) / scale, (y - top) / scale)
     }
 }
 
@@ -110,6 +120,7 @@ mod tests {
             let window = layout.window::<f64>(size);
             for pixel in [(0, 0), (size.0 / 3, size.1 / 2), (size.0 - 1, size.1 - 1)] {
                 let (x, y) = math::grid::centers(&window, size, pixel);
+                assert_eq!(layout.place_of(size, pixel), canvas.place_of(pixel));
                 let shown = layout.view().plane(canvas.place_of(pixel));
                 assert!((x - shown.0).abs() < 1e-6 && (y - shown.1).abs() < 1e-6, "{size:?} {pixel:?}");
             }
