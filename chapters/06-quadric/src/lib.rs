@@ -9,10 +9,13 @@
 #[cfg(feature = "stage")]
 mod measure;
 pub mod notes;
+#[cfg(feature = "stage")]
+mod picture;
 pub mod printed;
 #[cfg(feature = "stage")]
 pub mod regimes;
 pub mod robust;
+pub mod scene;
 #[cfg(feature = "stage")]
 pub mod stage;
 
@@ -204,6 +207,14 @@ pub enum Working<R: Real> {
 }
 
 impl<R: Real> Working<R> {
+    /// The part that the ray meets first at λ ≥ 0; `None` for a miss. A degenerate ray's means nothing.
+    pub fn part(&self) -> Option<Part> {
+        match self {
+            Working::Notes(work) => work.nearest(Span::ahead()).map(|place| work.candidates()[place].part),
+            Working::Robust(work) => work.verdict.part(),
+        }
+    }
+
     /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {

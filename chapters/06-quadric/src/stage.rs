@@ -1,11 +1,12 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Real, Span};
-use stage::{About, Ask, Canvas, Case, Chapter, Color, Error, Row, Shown, TradeAsk, Traded, Transcript};
+use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript};
 
-use crate::Method;
 use crate::measure::question;
+use crate::picture::Explained;
 use crate::regimes::regimes;
+use crate::{Method, picture};
 
 /// The stage `quadric`.
 pub struct Quadric;
@@ -18,9 +19,10 @@ impl Chapter for Quadric {
             teaches: "a ray against a cylinder and a cone: a quadratic wall, cut off by planes",
             notes: "CSC418 11.3.5, 11.6",
             methods: Method::ALL.map(Method::name).to_vec(),
-            size: (720, 480),
-            picture: "The capped cylinder and the cone, shaded by their normals; the cone as the page prints it, which is \
-                      half an ellipsoid, beside the true one; one ray with its candidates, kept and dropped.",
+            size: (720, 540),
+            picture: "The capped cylinder and the cone, one ray a pixel, shaded by their normals; the cone as the page prints it, \
+                      which is half an ellipsoid, beside the true one. Below each the upright plane of the explained ray, with its \
+                      candidates kept and dropped.",
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "shape"],
             words: &[("shape", &["cylinder", "cone"])],
             results: &["hit", "t", "x", "y", "z", "nx", "ny", "nz", "reason"],
@@ -32,8 +34,10 @@ impl Chapter for Quadric {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let method = Method::ALL[ask.method];
+        let explained = Explained::<R>::new(ask.size, ask.pixel)?;
         let transcript = Transcript::new(&self.about(), ask);
-        Ok(Shown { transcript, picture: Canvas::new(ask.size, Color::WHITE)? })
+        Ok(Shown { transcript, picture: picture::draw(method, ask.size, &explained)? })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
