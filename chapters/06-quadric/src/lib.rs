@@ -7,6 +7,8 @@
 //! says where the tests go wrong, and asks signs first: which part is it? Then it works out one λ.
 
 #[cfg(feature = "stage")]
+mod explain;
+#[cfg(feature = "stage")]
 mod measure;
 pub mod notes;
 #[cfg(feature = "stage")]

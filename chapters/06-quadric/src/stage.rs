@@ -6,7 +6,7 @@ use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Tran
 use crate::measure::question;
 use crate::picture::Explained;
 use crate::regimes::regimes;
-use crate::{Method, picture};
+use crate::{Method, Shape, explain, picture};
 
 /// The stage `quadric`.
 pub struct Quadric;
@@ -36,7 +36,16 @@ impl Chapter for Quadric {
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
         let method = Method::ALL[ask.method];
         let explained = Explained::<R>::new(ask.size, ask.pixel)?;
-        let transcript = Transcript::new(&self.about(), ask);
+        let mut transcript = Transcript::new(&self.about(), ask);
+        // Both worked examples, or the one ray that was asked for.
+        for shape in Shape::ALL {
+            if explained.asked.is_none_or(|asked| asked == shape) {
+                explain::explain(&mut transcript, method, explained.of(shape), shape);
+            }
+        }
+        explain::tries::<R>(&mut transcript, ask.precision);
+        explain::along_the_slope::<R>(&mut transcript);
+        explain::as_printed(&mut transcript, explained.of(Shape::Cone));
         Ok(Shown { transcript, picture: picture::draw(method, ask.size, &explained)? })
     }
 
