@@ -1,5 +1,6 @@
 //! The picture: the five deformed objects, and what A n gets wrong on the squashed sphere.
 
+mod extent;
 mod layout;
 mod pair;
 mod section;
@@ -9,6 +10,7 @@ use stage::{Anchor, Canvas, Color, Error, Pen};
 
 use crate::scene::{Placed, first, pixel_ray, seen_at};
 use crate::{Method, Object};
+use extent::Extent;
 pub(crate) use layout::Layout;
 use layout::Part;
 use pair::Pair;
@@ -35,12 +37,13 @@ pub(crate) fn draw<R: Real>(
     canvas.fit(layout.frame.0, layout.frame.1);
     let squashed = &objects[0];
     let pair = Pair::new(method, squashed, layout.pair);
+    let objects_seen: Vec<_> = objects.iter().map(|placed| (Extent::of(placed), placed)).collect();
     canvas.shade(|col, row| {
         let place = layout.place_of(size, (col, row));
         match () {
             _ if layout.pair.holds(place) => pair.color(place),
             _ if layout.section.holds(place) => Color::WHITE,
-            _ => color(method, &pixel_ray(camera, size, (col, row)), objects),
+            _ => color(method, &pixel_ray(camera, size, (col, row)), &objects_seen),
         }
     });
     name_objects(&mut canvas, &layout, objects);
@@ -59,11 +62,10 @@ pub(crate) fn draw<R: Real>(
 }
 
 /// The color of what a ray from the eye meets first.
-fn color<R: Real>(method: Method, ray: &Ray3<R>, objects: &[Placed<R>]) -> Color {
-    let Some((index, found)) = first(method, ray, objects) else {
-        return SKY;
-    };
-    let placed = &objects[index];
+fn color<R: Real>(method: Method, ray: &Ray3<R>, objects: &[(Extent, &Placed<R>)]) -> Color {
+    let [x, y, _]: [f64; 3] = ray.direction.in_f64();
+    let may_be_seen = objects.iter().filter(|(extent, _)| extent.holds((x, y))).map(|(_, placed)| *placed);
+    let Some((placed, found)) = first(method, ray, may_be_seen) else { return SKY };
     let normal = found.normal();
     // a surface without an inside is seen from both sides
     let is_away = placed.deformed.object.is_flat() && normal.dot(ray.direction) > R::from(0.0);

@@ -91,13 +91,17 @@ pub fn five<R: Real>() -> Result<[Placed<R>; 5], Degenerate> {
     ])
 }
 
-/// The object that a ray meets first, by its place among `objects`, and where. On a tie the earlier one.
-pub fn first<R: Real>(method: Method, ray: &Ray3<R>, objects: &[Placed<R>]) -> Option<(usize, Found<R>)> {
-    let mut first: Option<(usize, Found<R>)> = None;
-    for (index, placed) in objects.iter().enumerate() {
+/// The object that a ray meets first, and where. On a tie the earlier one.
+pub fn first<'a, R: Real>(
+    method: Method,
+    ray: &Ray3<R>,
+    objects: impl IntoIterator<Item = &'a Placed<R>>,
+) -> Option<(&'a Placed<R>, Found<R>)> {
+    let mut first: Option<(&Placed<R>, Found<R>)> = None;
+    for placed in objects {
         let Ok(Some(found)) = method.work(ray, &placed.deformed).found(Span::ahead()) else { continue };
         if first.is_none_or(|(_, nearest)| found.lambda < nearest.lambda) {
-            first = Some((index, found));
+            first = Some((placed, found));
         }
     }
     first
@@ -183,8 +187,9 @@ mod tests {
     fn the_worked_example_by_hand() {
         let ray = worked(&camera(WINDOW).unwrap());
         for method in Method::ALL {
-            let (index, found) = first(method, &ray, &five().unwrap()).unwrap();
-            assert_eq!(index, 0, "{}", method.name());
+            let objects = five().unwrap();
+            let (placed, found) = first(method, &ray, &objects).unwrap();
+            assert_eq!(placed.name, "sphere", "{}", method.name());
             assert!((found.lambda - 5.0).abs() < 1e-14, "{}: {}", method.name(), found.lambda);
             let n = DVec3::new(0.0, 1.2, 0.8).normalize();
             assert!((found.normal() - n).length() < 1e-14, "{}", method.name());
@@ -195,12 +200,13 @@ mod tests {
     #[test]
     fn each_object_is_seen_where_it_says() {
         for method in Method::ALL {
-            for (index, placed) in five::<f64>().unwrap().iter().enumerate() {
+            let objects = five::<f64>().unwrap();
+            for placed in &objects {
                 let deformed = &placed.deformed;
                 let eye = DVec3::from(EYE);
                 let ray = Ray3::<f64>::new(eye, deformed.affine.apply(placed.seen.into()) - eye);
-                let (seen, found) = first(method, &ray, &five().unwrap()).unwrap();
-                assert_eq!(seen, index, "{} {}", placed.name, method.name());
+                let (seen, found) = first(method, &ray, &objects).unwrap();
+                assert_eq!(seen.name, placed.name, "{}", method.name());
                 assert!((found.lambda - 1.0).abs() < 1e-14, "{} {}", placed.name, method.name());
                 // what is seen of a solid is its outside
                 let toward = found.normal().dot(ray.direction);

@@ -43,10 +43,10 @@ impl Chapter for Affine {
             None => scene::worked(&camera),
         };
         // What the ray meets first, else the squashed sphere, is explained.
-        let subject = scene::first(method, &ray, &objects).map_or(0, |(index, _)| index);
+        let subject = scene::first(method, &ray, &objects).map_or(&objects[0], |(placed, _)| placed);
 
         let mut transcript = Transcript::new(&self.about(), ask);
-        explain::explain(&mut transcript, method, &ray, &objects[subject]);
+        explain::explain(&mut transcript, method, &ray, subject);
         explain::one_ray(&mut transcript, method, &ray, &objects);
         explain::five_rays(&mut transcript, method, camera.e, &objects);
         explain::condition::<R>(&mut transcript);

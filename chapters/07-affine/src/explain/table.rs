@@ -29,8 +29,8 @@ pub(crate) fn one_ray<R: Real>(
     let section = transcript.section("The five deformed objects against this ray", "CSC418 11.3.4");
     section.table(&columns, rows.collect());
     section.remark(match first(method, ray, objects) {
-        Some((index, found)) => {
-            format!("first: the {}, at λ* = {}", objects[index].name, Value::number(found.lambda).to_text())
+        Some((placed, found)) => {
+            format!("first: the {}, at λ* = {}", placed.name, Value::number(found.lambda).to_text())
         }
         None => "first: none".to_string(),
     });
