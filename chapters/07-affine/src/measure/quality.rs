@@ -47,6 +47,12 @@ impl Inverse {
         Inverse { adjugate, det: dot(a, adjugate[0]) }
     }
 
+    /// The root of the sum of its squares, which is not below ‖A⁻¹‖.
+    fn size(&self) -> Wide {
+        let [x, y, z] = self.adjugate.map(|row| dot(row, row));
+        (x + y + z).sqrt() / size(self.det)
+    }
+
     /// A⁻¹ v
     fn times(&self, v: [Wide; 3]) -> [Wide; 3] {
         self.adjugate.map(|row| dot(row, v) / self.det)
@@ -127,15 +133,23 @@ fn normal_angle<R: Real>(
         return None;
     }
     let [a, d, t]: [[Wide; 3]; 3] = [ray.origin, ray.direction, affine.t].map(Wide::vector::<R, 3>);
-    let p = inverse.times([0, 1, 2].map(|axis| (a[axis] - t[axis]) + lambda.fine * d[axis]));
+    let a_prime = inverse.times([0, 1, 2].map(|axis| a[axis] - t[axis]));
+    let way = inverse.times(d).map(|d| lambda.fine * d);
+    let p = [0, 1, 2].map(|axis| a_prime[axis] + way[axis]);
     let mut parts = parts(object, p);
     parts.sort_by(|a, b| size(a.f).to_f64().total_cmp(&size(b.f).to_f64()));
     let told_apart = parts.get(1).is_none_or(|second| size(second.f).to_f64() > BESIDE);
-    let nearest = &parts[0];
-    if size(nearest.f).to_f64() > ON || !told_apart {
+    let Part { f, gradient } = &parts[0];
+    // The true λ has some hundred binary digits: p is off by 2^−100 of the way to it, and the normal by ‖A⁻¹‖ times that.
+    // Where more than half of them are lost, it is not the truth.
+    let true_normal = inverse.transposed_times(*gradient);
+    let off = Wide::from(1.0 / (1u64 << 48) as f64) * inverse.size();
+    let is_lost =
+        !object.is_flat() && (dot(true_normal, true_normal) - off * off * dot(way, way)).is_negative();
+    if size(*f).to_f64() > ON || !told_apart || is_lost {
         return None;
     }
-    angle(Wide::vector::<R, 3>(hit.normal), inverse.transposed_times(nearest.gradient))
+    angle(Wide::vector::<R, 3>(hit.normal), true_normal)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! How a case of each regime is drawn.
 
+use std::cmp::Ordering;
+
 use lab::Draw;
 use math::{Ray3, Real};
 
@@ -7,6 +9,7 @@ use super::scene::{
     Scene, aimed, aimed_along, on_surface as surface_point, ordinary_matrix, place, rounded, solid,
     squashed_matrix, turned, within,
 };
+use crate::exact_sign::of_determinant;
 use crate::{Affine, Matrix3, Object};
 
 /// Numbers as pictures have them.
@@ -126,10 +129,9 @@ pub(super) fn on_surface(draw: &mut Draw) -> [f64; 19] {
     aimed_along(draw, object, a, from, direction, 0.0).numbers()
 }
 
-/// Along a plane or a triangle of whole numbers: apart from it or within it, and in three of four cases nearly.
+/// Along a plane or a triangle of whole numbers, apart from it or within it.
 pub(super) fn parallel(draw: &mut Draw) -> [f64; 19] {
-    let object = if draw.coin() { Object::Plane } else { Object::Triangle };
-    let a = whole_matrix(draw);
+    let (object, a) = (flat(draw), whole_matrix(draw));
     let t = f64::vec3(draw.whole(-9, 9), draw.whole(-9, 9), draw.whole(-9, 9));
     let height = if draw.coin() { 0.0 } else { draw.whole(1, 3) };
     let [o_prime, d_prime] = [
@@ -137,11 +139,29 @@ pub(super) fn parallel(draw: &mut Draw) -> [f64; 19] {
         f64::vec3(draw.whole(-4, 4), draw.whole(1, 4), 0.0),
     ];
     let ray = Ray3::<f64>::new(a.times(o_prime) + t, a.times(d_prime));
-    let case = Scene { ray, object, affine: Affine { a, t } }.numbers();
-    with_object(draw.nudged(case), object)
+    Scene { ray, object, affine: Affine { a, t } }.numbers()
 }
 
-/// Through an edge or a corner of a triangle of whole numbers: its boundary belongs to it.
+/// All but along a plane or a triangle, down to it by so little; one ray of three rises instead.
+pub(super) fn near_parallel(draw: &mut Draw) -> [f64; 19] {
+    let (object, a) = (flat(draw), ordinary_matrix(draw));
+    let target = super::scene::target(draw, object);
+    let along = draw.direction_in_plane();
+    let smallest = draw.by_precision(1e-15, 1e-7);
+    let falls = draw.log_uniform(smallest, 1e-2);
+    let direction = a.times(f64::vec3(along.x, along.y, -falls));
+    let turns_away = object == Object::Plane && draw.below(3) == 0;
+    let distance = draw.uniform(5.0, 40.0) * if turns_away { -1.0 } else { 1.0 };
+    aimed_along(draw, object, a, target, direction, distance).numbers()
+}
+
+/// The plane or the triangle.
+fn flat(draw: &mut Draw) -> Object {
+    if draw.coin() { Object::Plane } else { Object::Triangle }
+}
+
+/// Through an edge or a corner of a triangle of whole numbers: its boundary belongs to it. In three of four cases one
+/// number is then moved to a neighbor.
 pub(super) fn triangle_edge(draw: &mut Draw) -> [f64; 19] {
     let a = whole_matrix(draw);
     let t = f64::vec3(draw.whole(-9, 9), draw.whole(-9, 9), draw.whole(-9, 9));
@@ -154,7 +174,8 @@ pub(super) fn triangle_edge(draw: &mut Draw) -> [f64; 19] {
     let d_prime = f64::vec3(draw.whole(-4, 4), draw.whole(-4, 4), draw.whole(1, 4));
     let o_prime = on_edge - d_prime * draw.whole(1, 4);
     let ray = Ray3::<f64>::new(a.times(o_prime) + t, a.times(d_prime));
-    Scene { ray, object: Object::Triangle, affine: Affine { a, t } }.numbers()
+    let case = Scene { ray, object: Object::Triangle, affine: Affine { a, t } }.numbers();
+    with_object(draw.nudged(case), Object::Triangle)
 }
 
 /// A direction whose square overflows or vanishes.
@@ -171,10 +192,15 @@ pub(super) fn scale_extreme(draw: &mut Draw) -> [f64; 19] {
     ordinary(draw).scaled(factor).numbers()
 }
 
-/// A scene at the smallest scale there is.
+/// A scene at the smallest scale there is. With two digits left a matrix may be singular: such a one is drawn again.
 pub(super) fn subnormal(draw: &mut Draw) -> [f64; 19] {
     let scale = draw.subnormal_scale();
-    let scene = ordinary(draw).scaled(scale);
+    let scene = loop {
+        let scene = ordinary(draw).scaled(scale);
+        if of_determinant(&rounded(draw, scene.affine.a)) != Ordering::Equal {
+            break scene;
+        }
+    };
     if draw.coin() { scene.numbers() } else { scene.with_direction_times(scale).numbers() }
 }
 

@@ -84,8 +84,10 @@ pub(super) fn ordinary_matrix(draw: &mut Draw) -> Matrix3<f64> {
     turned(draw, [size, size * second, size * third])
 }
 
-/// A matrix of this condition: one axis as it is, one squashed so many times, the third in between.
+/// A matrix of this condition: one axis as it is, one squashed so many times, the third in between. In `f32` a million
+/// at the most: its rounding leaves no more of a matrix that turns.
 pub(super) fn squashed_matrix(draw: &mut Draw, condition: f64) -> Matrix3<f64> {
+    let condition = draw.by_precision(condition, condition.min(1e6));
     let between = if condition > 1.0 { draw.log_uniform(1.0, condition) } else { 1.0 };
     turned(draw, [1.0, 1.0 / between, 1.0 / condition])
 }
@@ -93,9 +95,9 @@ pub(super) fn squashed_matrix(draw: &mut Draw, condition: f64) -> Matrix3<f64> {
 /// A point of the object's own space to aim at: in it or near it, so that a ray through it mostly hits.
 pub(super) fn target(draw: &mut Draw, object: Object) -> Vec3 {
     match object {
-        Object::Sphere => draw.direction() * draw.uniform(0.0, 1.3),
-        Object::Cylinder => draw.in_cube(1.3),
-        Object::Cone => draw.in_cube(0.6) + f64::vec3(0.0, 0.0, 0.4),
+        Object::Sphere => draw.direction() * draw.uniform(0.0, 1.8),
+        Object::Cylinder => draw.in_cube(1.5),
+        Object::Cone => draw.in_cube(0.55) + f64::vec3(0.0, 0.0, 0.4),
         Object::Plane => draw.in_cube(2.0) * f64::vec3(1.0, 1.0, 0.0),
         Object::Triangle => f64::vec3(draw.uniform(-0.1, 0.8), draw.uniform(-0.1, 0.8), 0.0),
     }
@@ -141,9 +143,11 @@ pub(super) fn aimed_along(
     Scene { ray: Ray3::<f64>::new(origin, direction), object, affine: Affine { a, t } }
 }
 
-/// The same in any direction, from a distance as pictures have it.
+/// The same in any direction, from a distance as pictures have it. A plane cannot be missed but by turning away: one
+/// ray of three does.
 pub(super) fn aimed(draw: &mut Draw, object: Object, a: Matrix3<f64>) -> Scene {
     let (target, direction) = (target(draw, object), draw.direction());
-    let distance = draw.uniform(5.0, 40.0);
+    let turns_away = object == Object::Plane && draw.below(3) == 0;
+    let distance = draw.uniform(5.0, 40.0) * if turns_away { -1.0 } else { 1.0 };
     aimed_along(draw, object, a, target, direction, distance)
 }
