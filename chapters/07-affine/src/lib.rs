@@ -11,6 +11,8 @@
 
 mod deformed;
 pub mod exact_sign;
+#[cfg(all(test, feature = "stage"))]
+mod exercise;
 #[cfg(feature = "stage")]
 mod explain;
 mod found;

@@ -105,12 +105,12 @@ mod tests {
     /// A mirror swaps left and right, not inside and outside.
     #[test]
     fn a_mirrored_normal_points_outward() {
-        for object in [Object::Sphere] {
+        for object in [Object::Sphere, Object::Cylinder, Object::Cone] {
             let mirrored =
                 deformed(object, [[-1.0, 0.0, 0.0], [0.0, 2.0, 0.5], [0.0, 0.0, 3.0]], [1.0, 2.0, 3.0]);
-            for from in [DVec3::new(9.0, 2.0, 3.0), DVec3::new(1.0, -9.0, 2.0), DVec3::new(4.0, 5.0, 9.0)] {
-                // toward the center: what is entered is entered against its normal
-                let direction = DVec3::new(1.0, 2.0, 3.0) - from;
+            for from in [DVec3::new(9.0, 2.0, 3.5), DVec3::new(1.0, -9.0, 2.0), DVec3::new(4.0, 5.0, 9.0)] {
+                // toward a point inside: what is entered is entered against its normal
+                let direction = DVec3::new(1.0, 2.125, 3.75) - from;
                 let hit = notes(&Ray3::new(from, direction), &mirrored).hit(Span::ahead()).unwrap().unwrap();
                 assert!(hit.normal.dot(direction) < 0.0, "{}", object.name());
             }
