@@ -52,7 +52,7 @@ pub fn regimes() -> Vec<Regime<15>> {
             name: "edge-exact",
             what: "exactly through an edge or a corner, in whole numbers: all hit",
             draw: edge_exact,
-            notes: Misjudge("matrix", F64),
+            notes: Hold("every determinant is a whole number, and exact"),
         },
         Regime {
             name: "sliver-1e3",

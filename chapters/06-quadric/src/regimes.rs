@@ -41,7 +41,7 @@ pub fn regimes() -> Vec<Regime<7>> {
             name: "cylinder-inside",
             what: "the origin inside the cylinder, a tenth from its surface",
             draw: |draw| inside(draw, Cylinder),
-            notes: LoseDigits("notes", F64),
+            notes: Hold("λ is never below a tenth: one digit cancels, not more"),
         },
         Regime {
             name: "cone-inside",
@@ -65,7 +65,7 @@ pub fn regimes() -> Vec<Regime<7>> {
             name: "cylinder-near-axial",
             what: "1e-3 to 1e-15 (f32: 1e-7) off the axis of the cylinder",
             draw: |draw| near_generator(draw, Cylinder),
-            notes: Misjudge("notes", F64),
+            notes: Hold("nearly every ray meets a cap, and its λ is one quotient"),
         },
         Regime {
             name: "cone-near-generator",
@@ -83,7 +83,7 @@ pub fn regimes() -> Vec<Regime<7>> {
             name: "cone-axial",
             what: "along the axis exactly, in eighths",
             draw: |draw| axial(draw, Cone),
-            notes: Misjudge("notes", F64),
+            notes: Hold("every number on the way is a multiple of a power of two, and exact"),
         },
         Regime {
             name: "cone-slope-exact",
@@ -137,13 +137,13 @@ pub fn regimes() -> Vec<Regime<7>> {
             name: "cylinder-on-surface-exact",
             what: "the origin exactly on the wall or a cap, any direction: t = 0",
             draw: |draw| on_surface_exact(draw, Cylinder),
-            notes: LoseDigits("notes", F64),
+            notes: Hold("C or 1 − a_z is exactly 0, and so is its root"),
         },
         Regime {
             name: "cone-on-surface-exact",
             what: "the origin exactly on the wall or the base, any direction: t = 0",
             draw: |draw| on_surface_exact(draw, Cone),
-            notes: LoseDigits("notes", F64),
+            notes: Hold("C or a_z is exactly 0, and so is its root"),
         },
         Regime {
             name: "cylinder-cap-plane",

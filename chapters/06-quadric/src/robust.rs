@@ -15,6 +15,7 @@
 mod line;
 mod verdict;
 
+use math::wide::{exponent_of, scaled};
 use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector};
 
 use crate::{Hit3, Part, Shape, check};
@@ -134,8 +135,22 @@ impl<R: Real> Robust<R> {
             return Ok(None);
         }
         let t = t + R::from(0.0); // minus zero is zero
-        let point = self.ray.at(t);
+        let point = if t.is_finite() { self.ray.at(t) } else { self.far_point() };
         Ok(Some(Hit { t, point, normal: self.shape.normal::<R>(part, point) }))
+    }
+
+    /// Where the ray meets the solid though λ is beyond the largest number. The direction is then so short that one
+    /// 2^k times as long leads to the same point, by a λ that is a number.
+    #[cold]
+    #[inline(never)]
+    fn far_point(&self) -> R::Vec3 {
+        let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
+        let longest = d.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
+        let longer = d.map(|component| scaled(component, -exponent_of(longest)));
+        let (t, _) = t_of::<f64>(self.shape, o, longer, self.verdict);
+        let point = std::array::from_fn(|axis| R::round_from(o[axis] + t.unwrap_or(0.0) * longer[axis]));
+        let [x, y, z] = point;
+        R::vec3(x, y, z)
     }
 
     /// Where a line that meets the solid leaves it.
@@ -151,5 +166,20 @@ impl<R: Real> Robust<R> {
             let t = place.and_then(|place| line.t_where_f_rises(place));
             (place.map_or(Part::Wall, |place| place.part), t.unwrap_or(-R::INFINITY))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn a_lambda_beyond_the_largest_number_has_a_point() {
+        // by hand: x = −1 is 2 away, which is 2^140 directions of 2^−139
+        let direction = Vec3::X * f32::from_bits(1 << 10);
+        let ray = Ray3::<f32>::new(Vec3::new(-3.0, 0.0, 0.0), direction);
+        let hit = robust(&ray, Shape::Cylinder).hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!((hit.t, hit.point, hit.normal), (f32::INFINITY, -Vec3::X, -Vec3::X));
     }
 }

@@ -71,7 +71,7 @@ fn the_exercise_verified() {
             let deformed = Deformed::for_ray(&ray, object, affine).unwrap();
             let work = notes(&ray, &deformed);
             let Some(found) = work.found(Span::ahead()).unwrap() else { continue };
-            let difference = sizes(found.verify(&deformed).difference);
+            let difference = sizes(found.verify(&ray, &deformed).difference);
             let bound = bound(&work, found.lambda, found.p);
             assert!(difference.cmple(bound).all(), "{name}: {difference} is beyond {bound}; {case:?}");
             verified += 1;

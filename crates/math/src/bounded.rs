@@ -64,7 +64,7 @@ impl<T> Bounded<T> {
             if R::DIGITS == f64::MANTISSA_DIGITS { ROUNDING / 8.0 } else { f64::from(f32::EPSILON) / 8.0 };
         // What is subnormal has fewer digits; what is exactly zero is certain.
         let is_sure = error * SLACK <= quarter * t.abs() && (SMALLEST_SAFE..f64::INFINITY).contains(&t.abs());
-        (is_sure || t == 0.0 && error == 0.0).then(|| R::root_from(t))
+        (is_sure || t == 0.0 && error == 0.0).then(|| R::root_from(t + 0.0)) // minus zero is zero
     }
 }
 

@@ -8,6 +8,9 @@ pub static ALL: &[&dyn Stage] = &[
     &ray_wall::stage::RayWall,
     &ray_plane::stage::RayPlane,
     &ray_sphere::stage::RaySphere,
+    &triangle::stage::RayTriangle,
+    &quadric::stage::Quadric,
+    &affine::stage::Affine,
 ];
 
 /// The names of them all.

@@ -22,6 +22,10 @@ const BARS: &[Bars] = &[
     // chapters/04-ray-sphere/src/robust/at_once.rs: `is_enough_for_f32`, a quarter of the last digit of an f32
     // before it is rounded; `OF_T`, eight units of that of an f64.
     Bars { stage: "ray-sphere", promised: [1, 8], seen: [0, 2] },
+    // crates/math/src/bounded.rs, `rounded`: a quarter of the last digit before it is rounded, in all three.
+    Bars { stage: "triangle", promised: [1, 1], seen: [0, 0] },
+    Bars { stage: "quadric", promised: [1, 1], seen: [0, 0] },
+    Bars { stage: "affine", promised: [1, 1], seen: [0, 0] },
 ];
 
 impl Bars {

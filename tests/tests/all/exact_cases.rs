@@ -30,6 +30,9 @@ const PROMISES: &[Promise] = &[
     Promise { stage: "ray-wall", parameters: &["t", "t_out"], residual: from_the_wall },
     Promise { stage: "ray-plane", parameters: &["t"], residual: from_the_plane },
     Promise { stage: "ray-sphere", parameters: &["t", "t_out"], residual: from_the_sphere },
+    Promise { stage: "triangle", parameters: &["t"], residual: from_the_barycentric },
+    Promise { stage: "quadric", parameters: &["t"], residual: from_the_solid },
+    Promise { stage: "affine", parameters: &["t"], residual: from_the_line },
 ];
 
 /// x − front or x − back, whichever face is nearer.
@@ -57,6 +60,33 @@ fn from_the_sphere(answer: &Answer, x: [f64; 3]) -> (f64, f64) {
     let from_center = [0, 1, 2].map(|i| x[i] - c[i]);
     let from_normal = length([0, 1, 2].map(|i| from_center[i] - r * n[i]));
     ((length(from_center) - r).abs().max(from_normal), length(c) + r)
+}
+
+/// x − (a + α (b − a) + β (c − a)) with the α and β that were printed.
+fn from_the_barycentric(answer: &Answer, x: [f64; 3]) -> (f64, f64) {
+    let [a, b, c] = [["ax", "ay", "az"], ["bx", "by", "bz"], ["cx", "cy", "cz"]]
+        .map(|columns| answer.want.numbers(columns));
+    let [alpha, beta] = answer.got.numbers(["alpha", "beta"]);
+    // Weighted corners and not differences: these overflow where the corners do not.
+    let gamma = 1.0 - alpha - beta;
+    let point = [0, 1, 2].map(|i| gamma * a[i] + alpha * b[i] + beta * c[i]);
+    (length([0, 1, 2].map(|i| x[i] - point[i])), length(a) + length(b) + length(c))
+}
+
+/// How far from the wall of the unit cylinder or cone or from one of its caps, whichever is nearer.
+fn from_the_solid(answer: &Answer, [x, y, z]: [f64; 3]) -> (f64, f64) {
+    let (wall, cap) = match answer.want.text("shape") {
+        "cylinder" => (x.hypot(y) - 1.0, z.abs() - 1.0),
+        _ => (x.hypot(y) - (1.0 - z) / 2.0, z),
+    };
+    (wall.abs().min(cap.abs()), 1.0)
+}
+
+/// x − (o + t d): the surface is deformed, the ray is not.
+fn from_the_line(answer: &Answer, x: [f64; 3]) -> (f64, f64) {
+    let [o, d] = [["ox", "oy", "oz"], ["dx", "dy", "dz"]].map(|columns| answer.want.numbers(columns));
+    let t = answer.got.number("t");
+    (length([0, 1, 2].map(|i| x[i] - (o[i] + t * d[i]))), 0.0)
 }
 
 /// ‖v‖, without overflow on the way.

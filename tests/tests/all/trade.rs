@@ -117,10 +117,13 @@ fn is_the_same(value: &Value, field: &str) -> bool {
 }
 
 /// Where the methods of a chapter differ.
-const TELLING: [(&str, &[&str]); 3] = [
+const TELLING: [(&str, &[&str]); 6] = [
     ("ray-wall", &["ordinary", "both-extreme"]),
     ("ray-plane", &["ordinary", "near-parallel", "vectors-extreme"]),
     ("ray-sphere", &["ordinary", "far-1e4", "on-surface-exact"]),
+    ("triangle", &["ordinary", "edge"]),
+    ("quadric", &["ordinary", "cone-apex"]),
+    ("affine", &["ordinary", "condition-1e6"]),
 ];
 
 /// Neither the machine nor its threads decide what is not a time or follows from one.

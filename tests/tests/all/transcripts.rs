@@ -95,7 +95,7 @@ fn every_pixel_of_a_small_picture_is_explained() {
                 let mut shown = stage.show(&ask).unwrap();
                 assert_eq!(shown.picture.size(), size, "{name} {ask:?}");
                 assert!(
-                    states_a_verdict(&shown.transcript.sections[0]),
+                    shown.transcript.sections.iter().take(2).any(states_a_verdict),
                     "{name} {ask:?}:\n{}",
                     shown.transcript
                 );
