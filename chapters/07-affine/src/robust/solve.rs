@@ -124,46 +124,39 @@ pub(super) fn first<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> Solved<R>
 fn carefully<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>, verdict: Option<Verdict>) -> Solved<R> {
     let fine = Line::<Bounded<TwoPart>>::of(ray, deformed, deformed.stored.fine);
     let how = if verdict.is_some() { Certainty::AtOnce } else { Certainty::TwoPart };
-    let Some(verdict) = verdict.or_else(|| fine.verdict(deformed.object)) else {
-        return exactly(ray, deformed, None);
-    };
-    let steps = fine.steps(deformed, [how, Certainty::TwoPart]);
-    if verdict == Verdict::Misses {
-        return Solved { verdict, steps, crossing: None };
+    let verdict = verdict.or_else(|| fine.verdict(deformed.object));
+    let crossing = verdict.and_then(|verdict| fine.crossing(deformed, verdict));
+    let steps = |certainties| fine.steps(deformed, certainties);
+    match (verdict, crossing) {
+        (Some(verdict), Some(_)) => Solved { verdict, steps: steps([how, Certainty::TwoPart]), crossing },
+        (Some(Verdict::Misses), _) => {
+            Solved { verdict: Verdict::Misses, steps: steps([how; 2]), crossing: None }
+        }
+        (Some(verdict), None) => {
+            let crossing = ExactLine::of(ray, deformed).crossing(deformed, verdict);
+            Solved { verdict, steps: steps([how, Certainty::Exact]), crossing }
+        }
+        (None, _) => {
+            let exact = ExactLine::of(ray, deformed);
+            // No sign of an exact number is in doubt.
+            let verdict = exact.line.verdict(deformed.object).unwrap_or(Verdict::Misses);
+            let crossing = exact.crossing(deformed, verdict);
+            Solved { verdict, steps: steps([Certainty::Exact; 2]), crossing }
+        }
     }
-    match fine.crossing(deformed, verdict) {
-        Some(crossing) => Solved { verdict, steps, crossing: Some(crossing) },
-        None => exactly(ray, deformed, Some((verdict, how))),
-    }
-}
-
-/// The same in integers as long as it takes.
-#[cold]
-#[inline(never)]
-fn exactly<R: Real>(
-    ray: &Ray3<R>,
-    deformed: &Deformed<R>,
-    verdict: Option<(Verdict, Certainty)>,
-) -> Solved<R> {
-    let exact = Line::of(ray, deformed, stored::exactly(&deformed.affine));
-    // No sign of an exact number is in doubt.
-    let (verdict, how) = verdict
-        .unwrap_or_else(|| (exact.verdict(deformed.object).unwrap_or(Verdict::Misses), Certainty::Exact));
-    let steps = exact.steps(deformed, [how, Certainty::Exact]);
-    Solved { verdict, steps, crossing: exact.exact_crossing(deformed, verdict) }
 }
 
 /// Where a line that meets a solid leaves it, at an λ of either sign; `None` for what is flat.
 #[cold]
 #[inline(never)]
 pub(super) fn exit<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> Option<Crossing<R>> {
-    let exact = Line::of(ray, deformed, stored::exactly(&deformed.affine));
+    let exact = ExactLine::of(ray, deformed);
     let place = match (deformed.object, shape_of(deformed.object)) {
         (Object::Sphere, _) => sphere::WALL,
-        (_, Some(shape)) => solid::beside(&exact, shape).exit()?,
+        (_, Some(shape)) => solid::beside(&exact.line, shape).exit()?,
         _ => return None,
     };
-    exact.exact_crossing(deformed, Verdict::Leaves(place))
+    exact.crossing(deformed, Verdict::Leaves(place))
 }
 
 impl<T: Copy> Line<Bounded<T>>
@@ -224,24 +217,36 @@ fn crossing_at<R: Real>(
     fits.then(|| Crossing { lambda, p, n, a_inverse_transposed_n: m.map(|x| x / largest), enters })
 }
 
-impl Line<Exact> {
-    /// The same, in numbers that cannot overflow.
-    fn exact_crossing<R: Real>(&self, deformed: &Deformed<R>, verdict: Verdict) -> Option<Crossing<R>> {
-        let object = deformed.object;
+/// The line in integers as long as it takes.
+struct ExactLine {
+    line: Line<Exact>,
+    /// adj A sgn det A
+    adjugate: [[Exact; 3]; 3],
+}
+
+impl ExactLine {
+    fn of<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> ExactLine {
+        let scaled = stored::exactly(&deformed.affine);
+        ExactLine { adjugate: scaled.adjugate.clone(), line: Line::of(ray, deformed, scaled) }
+    }
+
+    /// The crossing that a verdict names, in numbers that cannot overflow; `None` for a miss.
+    fn crossing<R: Real>(&self, deformed: &Deformed<R>, verdict: Verdict) -> Option<Crossing<R>> {
+        let (object, line) = (deformed.object, &self.line);
         let (place, enters) = place_of(verdict)?;
         let wide = |v: &[Exact; 3]| [v[0].to_wide(), v[1].to_wide(), v[2].to_wide()];
         let (lambda, p) = if let Verdict::Starts(_) = verdict {
-            let s = self.s.to_wide();
-            (R::from(0.0), wide(&self.o).map(|x| (x / s).to_f64()))
+            let s = line.s.to_wide();
+            (R::from(0.0), wide(&line.o).map(|x| (x / s).to_f64()))
         } else {
             // d and w may be multiplied by any number: d by one that makes it fit.
-            let (d, largest) = (wide(&self.d), largest(wide(&self.d)));
-            let chord = (self.chord(object).to_wide() / (largest * largest)).to_f64();
-            let [d, w] = [d, wide(&self.w)].map(|v| v.map(|x| (x / largest).to_f64()));
-            (self.lambda(object, place, enters)?, Plucker { d, w, chord }.point(object, place, enters))
+            let (d, w, largest) = (wide(&line.d), wide(&line.w), largest(wide(&line.d)));
+            let chord = (line.chord(object).to_wide() / (largest * largest)).to_f64();
+            let [d, w] = [d, w].map(|v| v.map(|x| (x / largest).to_f64()));
+            (line.lambda(object, place, enters)?, Plucker { d, w, chord }.point(object, place, enters))
         };
         let n = place::normal(object, place.part, p);
-        let [x, y, z] = stored::exactly(&deformed.affine).adjugate.map(|row| wide(&row));
+        let [x, y, z] = [0, 1, 2].map(|row| wide(&self.adjugate[row]));
         let normal = n.map(Wide::from);
         let m = [0, 1, 2].map(|axis| x[axis] * normal[0] + y[axis] * normal[1] + z[axis] * normal[2]);
         let longest = largest(m);
