@@ -24,6 +24,8 @@
 //! Each formula is tried in `f64` with a bound on its error, then with twice the digits, then exactly: first for the
 //! verdict, which consists of signs, then for the λ of the one place that is met. What this promises for every finite
 //! ray and every matrix that is not singular: hit or miss is exact, and λ is off by less than a unit of its last digit.
+//! What it costs is told by `trade`: about four times the notes' time in the ordinary regime, at whatever condition; and
+//! microseconds for a tie, for an origin on the surface, and for numbers at the ends of the range.
 
 mod corrected;
 mod flat;

@@ -2,8 +2,10 @@
 //!
 //! "Never invert a matrix to solve a system" is good advice where A is nearly singular: Gaussian elimination with
 //! partial pivoting finds an x for which A x is the right-hand side but for the last digits (Wilkinson 1961; Higham,
-//! *Accuracy and Stability*, ch. 9 and 14), and A⁻¹ b does not. Whether that saves λ* is another question, which
-//! `trade` answers.
+//! *Accuracy and Stability*, ch. 9 and 14), and A⁻¹ b does not. Whether that saves λ* is another question. `trade`
+//! answers: for a plane of condition 1e6 λ* keeps the digits that the inverse loses. For a sphere nothing is gained: a′
+//! and d′ may be as good as they can be, but both are large, and B² − A C of nearly equal squares is lost all the
+//! same. And it takes more than twice the time.
 
 use math::{Degenerate, Ray3, Real, Span};
 
