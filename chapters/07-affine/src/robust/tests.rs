@@ -87,3 +87,53 @@ fn three_kinds_of_number() {
     assert_eq!(certainties(0.7), (Certainty::AtOnce, Certainty::TwoPart), "a clear hit");
     assert_eq!(certainties(2.0 - 1e-15), (Certainty::TwoPart, Certainty::TwoPart), "next to a tangent");
 }
+
+/// A few cases of every regime, against the oracle: the verdict, and λ within a unit of its last digit.
+#[cfg(feature = "stage")]
+#[test]
+fn right_in_every_regime() {
+    use lab::{Judgment, Subject, judge};
+    use math::Real;
+    use stage::Precision;
+
+    fn judged<R: Real>(precision: Precision) {
+        let (subject, robust) = (crate::stage::Affine, 2);
+        for regime in crate::regimes::regimes() {
+            for case in regime.cases(3, precision).take(300) {
+                let answer = subject.answer(robust, case.map(R::round_from));
+                let truth = subject.truth(case, precision);
+                let is_right = match judge(&answer, &truth, precision) {
+                    Judgment::Right => true,
+                    Judgment::Off { ulps, .. } => ulps <= 1,
+                    Judgment::Wrong => false,
+                };
+                assert!(is_right, "{} {precision:?}: {answer:?}, not {truth:?}; {case:?}", regime.name);
+            }
+        }
+    }
+    judged::<f32>(Precision::F32);
+    judged::<f64>(Precision::F64);
+}
+
+/// The point is on the surface and the normal at right angles to it, whatever the condition: to 16 roundings of the
+/// largest coordinate, and to 1e−12 of a radian.
+#[cfg(feature = "stage")]
+#[test]
+fn point_and_normal_are_as_good_as_lambda() {
+    use lab::Subject;
+    use stage::Precision;
+
+    let (subject, robust) = (crate::stage::Affine, 2);
+    for regime in crate::regimes::regimes() {
+        if ["parallel", "subnormal", "special", "bits"].contains(&regime.name) {
+            continue; // no hits, or coordinates that have few digits or none
+        }
+        for case in regime.cases(4, Precision::F64).take(300) {
+            let truth = subject.truth(case, Precision::F64);
+            let lab::Truth::Hit { .. } = truth else { continue };
+            let quality = subject.quality(robust, case, &truth).expect("a hit");
+            assert!(quality.residual <= 8.0 * f64::EPSILON, "{}: {quality:?}; {case:?}", regime.name);
+            assert!(quality.normal_angle.is_none_or(|angle| angle < 1e-12), "{}: {quality:?}", regime.name);
+        }
+    }
+}
