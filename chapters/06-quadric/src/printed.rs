@@ -55,3 +55,25 @@ pub fn hit<R: Real>(ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Deg
     }
     Ok(nearest)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Shape, notes};
+    use glam::DVec3;
+
+    /// Slip 13.
+    #[test]
+    fn as_printed_the_cone_is_half_an_ellipsoid() {
+        // by hand: across the axis at z = 3/5 the cone is at x = −½ · 2/5, half an ellipsoid at x = −½ · 4/5
+        let ray = Ray3::<f64>::new(DVec3::new(-1.0, 0.0, 0.6), DVec3::X);
+        let cone = notes(&ray, Shape::Cone).hit(Span::ahead()).unwrap().unwrap();
+        let printed = hit(&ray, Span::ahead()).unwrap().unwrap();
+        assert!((cone.point.x + 0.2).abs() < 1e-15 && (printed.point.x + 0.4).abs() < 1e-15);
+        assert!((radius(0.6) - 0.2_f64).abs() < 1e-15 && (printed_radius(0.6) - 0.4_f64).abs() < 1e-15);
+        // A straight side has its middle halfway between its ends; the printed one does not.
+        let middle = |radius: fn(f64) -> f64| radius(0.5) - (radius(0.0) + radius(1.0)) / 2.0;
+        assert_eq!(middle(radius), 0.0);
+        assert!(middle(printed_radius) > 0.18);
+    }
+}
