@@ -1,11 +1,14 @@
 //! Why the others leak, and what to do about it.
 
+mod at_once;
 mod carefully;
+mod correction;
 
-use math::{Degenerate, Hit, Parallel, Ray3, Real, Span};
+use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
 use crate::parallel::parallel;
 use crate::{Hit3, Triangle};
+use at_once::dot;
 
 /// Every number of the robust method. What is worked out with more digits is rounded for the reader.
 ///
@@ -27,6 +30,10 @@ pub struct Robust<R: Real> {
     /// How the verdict was reached, and λ.
     pub certainty: Certainty,
     passage: Passage,
+    /// λ with the digits of `f64`, for the point.
+    fine_lambda: f64,
+    /// n, where plain `f64` is enough for it.
+    n: Option<[f64; 3]>,
 }
 
 /// How the verdict was reached.
@@ -67,7 +74,7 @@ enum Passage {
 /// Works out the robust method.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Robust<R> {
-    carefully::robust(ray, triangle)
+    at_once::robust(ray, triangle).unwrap_or_else(|| carefully::robust(*ray, *triangle))
 }
 
 impl<R: Real> Robust<R> {
@@ -89,7 +96,28 @@ impl<R: Real> Robust<R> {
             return self.triangle.check(&self.ray).map(|()| None);
         }
         let Some(t) = self.lambda.filter(|&lambda| span.contains(lambda)) else { return Ok(None) };
-        Ok(Some(Hit { t, point: self.ray.at(t), normal: carefully::unit_normal(&self.triangle) }))
+        Ok(Some(Hit { t, point: self.point(), normal: self.unit_normal() }))
+    }
+
+    /// x = ā + λ d
+    #[inline(always)]
+    fn point(&self) -> R::Vec3 {
+        let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| o[axis] + self.fine_lambda * d[axis]);
+        // λ may be infinite, and λ d may overflow though x does not.
+        if !(x + y + z).is_finite() {
+            return carefully::point(self.ray, self.triangle);
+        }
+        R::vec3(R::round_from(x), R::round_from(y), R::round_from(z))
+    }
+
+    /// n / ‖n‖
+    #[inline(always)]
+    fn unit_normal(&self) -> R::Vec3 {
+        let Some(n) = self.n else { return carefully::unit_normal(self.triangle) };
+        let one_over = 1.0 / dot(n, n).sqrt();
+        let [x, y, z] = n.map(|component| R::round_from(component * one_over));
+        R::vec3(x, y, z)
     }
 }
 

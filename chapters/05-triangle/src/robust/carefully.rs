@@ -1,4 +1,7 @@
-//! The slow ways of [`robust`](super): the same formulas with twice the digits, and exactly.
+//! The slow ways of [`robust`](super): with twice the digits, and exactly.
+//!
+//! Each formula is written once, for any number that is [`Sure`] of its sign. A ray that is aimed at an edge leaves one volume
+//! in doubt, and that one alone is then summed exactly.
 
 use std::cmp::Ordering;
 
@@ -7,19 +10,42 @@ use math::{Bounded, Exact, Ray3, Real, Sure, TwoPart, Vector, Wide};
 use super::{Certainty, Passage, Robust};
 use crate::{Triangle, area};
 
-/// The numbers of the question in `f64`: ā, d and the corners.
-type Numbers = ([f64; 3], [f64; 3], [[f64; 3]; 3]);
+/// A ray and a triangle in `f64`, which holds every `f32`.
+#[derive(Clone, Copy)]
+struct Question {
+    o: [f64; 3],
+    d: [f64; 3],
+    corners: [[f64; 3]; 3],
+}
 
-fn numbers<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Numbers {
-    let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64);
-    (o, d, triangle.corners().map(Vector::in_f64))
+impl Question {
+    fn new<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Question {
+        let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64);
+        Question { o, d, corners: triangle.corners().map(Vector::in_f64) }
+    }
+
+    /// A corner seen from the origin of the ray.
+    fn seen<N: Sure>(&self, corner: usize) -> [N; 3] {
+        std::array::from_fn(|axis| N::difference(self.corners[corner][axis], self.o[axis]))
+    }
+
+    /// The volume of the edge across a corner: d · (B × C) across the first, and so on.
+    fn volume<N: Sure>(&self, across: usize) -> N {
+        let (from, to) = ((across + 1) % 3, (across + 2) % 3);
+        N::dot(&self.d.map(N::of), &N::cross(&self.seen(from), &self.seen(to)))
+    }
+
+    /// (p̄1 − ā) · n and d · n
+    fn lambda_of<N: Sure>(&self) -> [N; 2] {
+        let n = area::normal::<N>(self.corners);
+        [N::dot(&self.seen(0), &n), N::dot(&self.d.map(N::of), &n)]
+    }
 }
 
 /// Works it out with as many digits as it takes.
 #[cold]
 #[inline(never)]
-pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Robust<R> {
-    let (ray, triangle) = (*ray, *triangle);
+pub(super) fn robust<R: Real>(ray: Ray3<R>, triangle: Triangle<R>) -> Robust<R> {
     let nothing = Robust {
         ray,
         triangle,
@@ -28,73 +54,109 @@ pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Robust<R
         lambda: None,
         certainty: Certainty::AtOnce,
         passage: Passage::Degenerate,
+        fine_lambda: f64::NAN,
+        n: None,
     };
     if triangle.check(&ray).is_err() {
         return nothing;
     }
-    passed::<Bounded<f64>, R>(ray, triangle, Certainty::AtOnce)
-        .or_else(|| passed::<Bounded<TwoPart>, R>(ray, triangle, Certainty::TwoPart))
-        .or_else(|| passed::<Exact, R>(ray, triangle, Certainty::Exact))
-        .unwrap_or(nothing) // exact numbers are never in doubt
-}
-
-/// The three volumes.
-fn volumes<N: Sure>(o: [f64; 3], d: [f64; 3], corners: [[f64; 3]; 3]) -> [N; 3] {
-    let d: [N; 3] = d.map(N::of);
-    let [a, b, c]: [[N; 3]; 3] = corners.map(|p| std::array::from_fn(|axis| N::difference(p[axis], o[axis])));
-    [N::dot(&d, &N::cross(&b, &c)), N::dot(&d, &N::cross(&c, &a)), N::dot(&d, &N::cross(&a, &b))]
-}
-
-/// With numbers of one kind; `None` where they leave a doubt.
-fn passed<N: Sure, R: Real>(ray: Ray3<R>, triangle: Triangle<R>, certainty: Certainty) -> Option<Robust<R>> {
-    let (o, d, corners) = numbers(&ray, &triangle);
-    let volumes = volumes::<N>(o, d, corners);
-    let [u, v, w] = volumes.clone();
-    let d_dot_n = u + v + w;
-    let about = (volumes.each_ref().map(N::about), d_dot_n.about());
-    let passage = passage(volumes.each_ref().map(N::sign))?;
-    let lambda = if passage == Passage::Through {
-        let n = area::normal::<N>(corners);
-        let to_p1 = std::array::from_fn(|axis| N::difference(corners[0][axis], o[axis]));
-        Some(N::quotient(&N::dot(&to_p1, &n), &N::dot(&d.map(N::of), &n))?)
-    } else {
-        None
+    let question = Question::new(&ray, &triangle);
+    let Verdict { volumes, passage, certainty } = verdict(&question);
+    let [u, v, w] = volumes;
+    let past = Robust { volumes, d_dot_n: u + v + w, certainty, passage, ..nothing };
+    if passage != Passage::Through {
+        return past;
+    }
+    let [above, rise] = question.lambda_of::<Bounded<TwoPart>>();
+    let (fine_lambda, certainty) = match Sure::quotient::<f64>(&above, &rise) {
+        Some(lambda) => (lambda, certainty),
+        None => {
+            let [above, rise] = question.lambda_of::<Exact>();
+            (Sure::quotient(&above, &rise).unwrap_or(f64::NAN), Certainty::Exact) // rise is not zero
+        }
     };
-    Some(Robust { ray, triangle, volumes: about.0, d_dot_n: about.1, lambda, certainty, passage })
+    let d_dot_n = rise.about();
+    Robust { lambda: Some(R::root_from(fine_lambda)), fine_lambda, d_dot_n, certainty, ..past }
+}
+
+/// On which sides the line passes the edges.
+struct Verdict {
+    volumes: [f64; 3],
+    passage: Passage,
+    certainty: Certainty,
+}
+
+fn verdict(question: &Question) -> Verdict {
+    let volumes: [Bounded<TwoPart>; 3] = std::array::from_fn(|across| question.volume(across));
+    let signs = volumes.map(|volume| volume.sign());
+    let mut about = volumes.map(|volume| volume.about());
+    if let Some(passage) = passage(signs) {
+        return Verdict { volumes: about, passage, certainty: Certainty::TwoPart };
+    }
+    let signs = std::array::from_fn(|across| {
+        signs[across].or_else(|| {
+            let exact: Exact = question.volume(across);
+            about[across] = exact.about();
+            exact.sign()
+        })
+    });
+    let passage = passage(signs).unwrap_or(Passage::Along); // no exact sign is in doubt
+    Verdict { volumes: about, passage, certainty: Certainty::Exact }
 }
 
 /// By the signs of the three volumes; `None` where those that are in doubt could matter.
 fn passage(signs: [Option<Ordering>; 3]) -> Option<Passage> {
     let has = |sign: Ordering| signs.contains(&Some(sign));
-    if has(Ordering::Less) && has(Ordering::Greater) {
-        return Some(Passage::Past);
+    let (negative, positive) = (has(Ordering::Less), has(Ordering::Greater));
+    match () {
+        _ if negative && positive => Some(Passage::Past),
+        _ if signs.contains(&None) => None,
+        _ if negative || positive => Some(Passage::Through),
+        _ => Some(Passage::Along),
     }
-    if signs.contains(&None) {
-        return None;
-    }
-    let is_along = !has(Ordering::Less) && !has(Ordering::Greater);
-    Some(if is_along { Passage::Along } else { Passage::Through })
 }
 
 /// α and β, the second and third volume over d · n.
 pub(super) fn alpha_beta<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<(R, R)> {
     triangle.check(ray).ok()?;
-    shares::<Bounded<f64>, R>(ray, triangle)
-        .or_else(|| shares::<Bounded<TwoPart>, R>(ray, triangle))
-        .or_else(|| shares::<Exact, R>(ray, triangle))
+    let question = Question::new(ray, triangle);
+    shares::<Bounded<f64>, R>(&question)
+        .or_else(|| shares::<Bounded<TwoPart>, R>(&question))
+        .or_else(|| shares::<Exact, R>(&question))
 }
 
-fn shares<N: Sure, R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<(R, R)> {
-    let (o, d, corners) = numbers(ray, triangle);
-    let [_, v, w] = volumes::<N>(o, d, corners);
-    let d_dot_n = N::dot(&d.map(N::of), &area::normal::<N>(corners));
-    Some((N::quotient(&v, &d_dot_n)?, N::quotient(&w, &d_dot_n)?))
+fn shares<N: Sure, R: Real>(question: &Question) -> Option<(R, R)> {
+    let [_, d_dot_n] = question.lambda_of::<N>();
+    Some((N::quotient(&question.volume(1), &d_dot_n)?, N::quotient(&question.volume(2), &d_dot_n)?))
 }
 
-/// n / ‖n‖ in numbers that neither overflow nor vanish.
-pub(super) fn unit_normal<R: Real>(triangle: &Triangle<R>) -> R::Vec3 {
-    let n =
-        area::normal::<Exact>(triangle.corners().map(Vector::in_f64)).map(|component| component.to_wide());
+/// x = ā + λ d in numbers that cannot overflow, rounded at the end. The line of the ray must cross the plane.
+#[cold]
+#[inline(never)]
+pub(super) fn point<R: Real>(ray: Ray3<R>, triangle: Triangle<R>) -> R::Vec3 {
+    let question = Question::new(&ray, &triangle);
+    let [above, rise] = question.lambda_of::<Exact>().map(|number| number.to_wide());
+    let lambda = above / rise;
+    let [x, y, z] = std::array::from_fn(|axis| {
+        R::round_from((Wide::from(question.o[axis]) + lambda * Wide::from(question.d[axis])).to_f64())
+    });
+    R::vec3(x, y, z)
+}
+
+/// n / ‖n‖ of a sliver, or of any size. The triangle must have an area.
+#[cold]
+#[inline(never)]
+pub(super) fn unit_normal<R: Real>(triangle: Triangle<R>) -> R::Vec3 {
+    /// The error that a component may have, as a share of the largest.
+    const OF_NORMAL: f64 = 1.0 / (1u64 << 60) as f64;
+    let corners = triangle.corners().map(Vector::in_f64);
+    let n = area::normal::<Bounded<TwoPart>>(corners);
+    let largest = n.iter().fold(0.0, |most: f64, component| most.max(component.value.hi.abs()));
+    let is_good = n.iter().all(|component| component.error <= OF_NORMAL * largest) && largest < f64::INFINITY;
+    let n: [Wide; 3] = match is_good {
+        true => n.map(|component| Wide::from(component.value)),
+        false => area::normal::<Exact>(corners).map(|component| component.to_wide()),
+    };
     let length = n.into_iter().fold(Wide::ZERO, |sum, component| sum + component * component).sqrt();
     let [x, y, z] = n.map(|component| R::round_from((component / length).to_f64()));
     R::vec3(x, y, z)
