@@ -109,7 +109,8 @@ impl Div for Bounded<f64> {
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         let error = quotient_error(value, self.error, other.value, other.error);
-        Bounded { value, error: error + ROUNDING * value.abs() }
+        let lost = vanished(value, self.is_zero(self.value));
+        Bounded { value, error: error + ROUNDING * value.abs() + lost }
     }
 }
 
@@ -231,6 +232,8 @@ impl Div for Bounded<TwoPart> {
         let error = quotient_error(value.hi, self.error, other.value.hi, other.error);
         let lost = vanished(self.value.hi * LOWER_PART, self.error == 0.0 && self.value.hi == 0.0);
         let rounding = ROUNDING_OF_TWO_PARTS * value.hi.abs() + lost / other.value.hi.abs();
+        // The quotient itself may be too small for a number.
+        let rounding = rounding + vanished(value.hi * LOWER_PART, self.is_zero(self.value.hi));
         Bounded { value, error: error * (1.0 + ROUNDING) + rounding }
     }
 }
@@ -442,6 +445,13 @@ mod tests {
         assert_eq!((again.value, again.sign()), (0.0, None));
         let vanished = <Bounded<TwoPart> as Sure>::product(1e-200, 1e-200);
         assert_eq!((vanished * <Bounded<TwoPart> as Sure>::of(1e-200)).sign(), None);
+        // nor is a quotient zero that is only too small
+        let [n, d] = [1e-200, -1e200].map(<Bounded<f64>>::of);
+        assert_eq!((Sure::quotient::<f64>(&n, &d), Sure::quotient::<f32>(&n, &d)), (None, None));
+        let [n, d] = [1e-200, -1e200].map(<Bounded<TwoPart>>::of);
+        assert_eq!(Sure::quotient::<f64>(&n, &d), None);
+        let zero = <Bounded<TwoPart>>::of(0.0);
+        assert_eq!(Sure::quotient::<f64>(&zero, &d), Some(0.0), "a zero is");
         let overflown = <Bounded<TwoPart> as Sure>::product(1e200, -1e200);
         let small = overflown * Bounded::exactly(TwoPart::from(1e-200));
         assert_eq!((small + Bounded::exactly(TwoPart::from(1e250))).sign(), None, "1e250 − 1e200");
