@@ -52,7 +52,9 @@ pub fn regimes() -> Vec<Regime<15>> {
             name: "edge-exact",
             what: "exactly through an edge or a corner, in whole numbers: all hit",
             draw: edge_exact,
-            notes: Hold("every determinant is a whole number, and exact"),
+            notes: Hold(
+                "small whole numbers are not rounded, and of α and β that sum to 1 the roundings cancel",
+            ),
         },
         Regime {
             name: "sliver-1e3",
@@ -76,7 +78,7 @@ pub fn regimes() -> Vec<Regime<15>> {
             name: "grazing",
             what: "all but along the plane: off by 1e-2 to 1e-12 (f32: 1e-6) of its length",
             draw: grazing,
-            notes: LoseDigits("matrix", F64),
+            notes: Misjudge("matrix", F32),
         },
         Regime {
             name: "parallel",
@@ -104,7 +106,7 @@ pub fn regimes() -> Vec<Regime<15>> {
         },
         Regime {
             name: "shifted",
-            what: "ordinary, everything moved 1e5 to 1e12 (f32: 1e3 to 1e6)",
+            what: "ordinary, everything moved 1e5 to 1e12 (f32: 1e3 to 1e5)",
             draw: shifted,
             notes: LoseDigits("matrix", F64),
         },

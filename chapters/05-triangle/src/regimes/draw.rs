@@ -219,7 +219,7 @@ pub(super) fn huge(draw: &mut Draw) -> [f64; 15] {
 
 /// Far from the world's origin, where numbers are coarse.
 pub(super) fn shifted(draw: &mut Draw) -> [f64; 15] {
-    let (nearest, farthest) = draw.by_precision((1e5, 1e12), (1e3, 1e6));
+    let (nearest, farthest) = draw.by_precision((1e5, 1e12), (1e3, 1e5));
     let way = draw.direction() * draw.log_uniform(nearest, farthest);
     ordinary(draw).moved(way).numbers()
 }

@@ -67,8 +67,10 @@ pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<R
     if !in_range {
         return None;
     }
+    // Of corners on one line the volumes differ in sign too.
+    let n_size = size(n);
     if lowest < -error && highest > error {
-        return Some(past);
+        return (n_size > ERROR * area).then_some(past);
     }
     if !(lowest > error || highest < -error) {
         return None;
@@ -88,7 +90,7 @@ pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<R
         }
         false => lambda,
     };
-    let normal_is_good = size(n) >= OF_NORMAL * area;
+    let normal_is_good = n_size >= OF_NORMAL * area;
     Some(Robust {
         lambda: Some(R::root_from(fine_lambda)),
         passage: Passage::Through,

@@ -69,7 +69,7 @@ pub(super) fn robust<R: Real>(ray: Ray3<R>, triangle: Triangle<R>) -> Robust<R> 
     }
     let [above, rise] = question.lambda_of::<Bounded<TwoPart>>();
     let (fine_lambda, certainty) = match Sure::quotient::<f64>(&above, &rise) {
-        Some(lambda) => (lambda, certainty),
+        Some(lambda) => (lambda + 0.0, certainty), // minus zero is zero
         None => {
             let [above, rise] = question.lambda_of::<Exact>();
             (Sure::quotient(&above, &rise).unwrap_or(f64::NAN), Certainty::Exact) // rise is not zero

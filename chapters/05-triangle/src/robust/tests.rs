@@ -1,0 +1,256 @@
+//! The robust method against what is known by hand, and against what its answers leave in the equations.
+
+use std::cmp::Ordering;
+
+use glam::{DVec3, Vec3};
+use math::{Degenerate, Exact, Ray3, Real, Span, Sure, Vector};
+
+use super::*;
+use crate::Method;
+
+const TRIANGLE: Triangle<f64> =
+    Triangle { a: DVec3::new(1.0, 1.0, 2.0), b: DVec3::new(5.0, 1.0, 2.0), c: DVec3::new(1.0, 3.0, 2.0) };
+
+/// From the world's origin toward (x, y, 2), which is a point of the triangle's plane.
+fn toward(x: f64, y: f64) -> Robust<f64> {
+    robust(&Ray3::new(DVec3::ZERO, DVec3::new(x / 2.0, y / 2.0, 1.0)), &TRIANGLE)
+}
+
+/// Numbers that are the same on every run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 32) << 32 | self.0.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32
+    }
+
+    /// From −1 to 1.
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn vector(&mut self) -> DVec3 {
+        DVec3::new(self.unit(), self.unit(), self.unit())
+    }
+}
+
+#[test]
+fn a_ray_through_the_inside() {
+    // by hand: d · n = 8, of which the corners have ½, ¼ and ¼, and (p̄1 − ā) · n = 16
+    let work = toward(2.0, 1.5);
+    assert_eq!((work.volumes, work.d_dot_n, work.lambda), ([4.0, 2.0, 2.0], 8.0, Some(2.0)));
+    assert_eq!((work.certainty, work.alpha_beta()), (Certainty::AtOnce, Some((0.25, 0.25))));
+    let hit = work.hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point, hit.normal), (2.0, DVec3::new(2.0, 1.5, 2.0), DVec3::Z));
+}
+
+#[test]
+fn edges_and_corners_belong_to_it_and_a_digit_farther_out_does_not() {
+    for (x, y) in [(1.0, 1.0), (5.0, 1.0), (1.0, 3.0), (3.0, 1.0), (3.0, 2.0), (1.0, 2.0)] {
+        let work = toward(x, y);
+        assert_eq!(work.hit(Span::ahead()).unwrap().map(|hit| hit.t), Some(2.0), "({x}, {y})");
+        assert_eq!(work.certainty, Certainty::Exact);
+    }
+    for (x, y) in [(3.0, 1.0_f64.next_down()), (3.0, 2.0_f64.next_up()), (1.0_f64.next_down(), 2.0)] {
+        let work = toward(x, y);
+        assert_eq!((work.hit(Span::ahead()), work.certainty), (Ok(None), Certainty::TwoPart), "({x}, {y})");
+    }
+}
+
+#[test]
+fn what_is_behind_is_no_hit_and_touching_is() {
+    let behind = robust(&Ray3::<f64>::new(DVec3::ZERO, DVec3::new(-1.0, -0.75, -1.0)), &TRIANGLE);
+    assert_eq!((behind.lambda, behind.hit(Span::ahead())), (Some(-2.0), Ok(None)));
+    for z in [1.0, -1.0] {
+        let touching = robust(&Ray3::<f64>::new(TRIANGLE.a, DVec3::new(0.0, 0.0, z)), &TRIANGLE);
+        assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0, "minus zero is zero");
+    }
+}
+
+/// A square of two triangles, tilted, and rays at its diagonal: each must meet the one or the other.
+fn leaks(method: Method, rays: usize) -> usize {
+    let mut numbers = Numbers(1);
+    let missed = |_: &usize| {
+        let [a, b, c] = std::array::from_fn(|_| numbers.vector());
+        let halves = [Triangle::<f64> { a, b, c }, Triangle { a: b, b: b + c - a, c }];
+        let target = b + (c - b) * numbers.unit().abs();
+        let origin = numbers.vector() * 5.0;
+        let ray = Ray3::<f64>::new(origin, target - origin);
+        halves.iter().all(|half| method.work(&ray, half).hit(Span::ahead()) == Ok(None))
+    };
+    (0..rays).filter(missed).count()
+}
+
+#[test]
+fn nothing_slips_between_two_triangles() {
+    assert_eq!(leaks(Method::Robust, 20_000), 0);
+    for method in [Method::HalfPlanes, Method::Matrix] {
+        assert!(leaks(method, 20_000) > 100, "{} leaks, as printed", method.name());
+    }
+}
+
+/// λ is as near as a neighbor to (p̄1 − ā) · n / d · n: on either side of it the exact equation has another sign.
+fn assert_nearest(work: &Robust<f64>) {
+    let Some(lambda) = work.lambda else { return };
+    let [o, d] = [work.ray.origin, work.ray.direction].map(Vector::in_f64::<3>);
+    let corners = work.triangle.corners().map(Vector::in_f64::<3>);
+    let n = crate::area::normal::<Exact>(corners);
+    let to_p1: [Exact; 3] = std::array::from_fn(|axis| Exact::difference(corners[0][axis], o[axis]));
+    let above = Exact::dot(&to_p1, &n);
+    let rise = Exact::dot(&d.map(Exact::new), &n);
+    let left = |lambda: f64| (above.clone() - Exact::new(lambda) * rise.clone()).sign().unwrap();
+    let [lower, upper] = [left(lambda.next_down()), left(lambda.next_up())];
+    assert!(lower != upper && lower != Ordering::Equal && upper != Ordering::Equal, "{work:?}");
+}
+
+#[test]
+fn lambda_is_a_neighbor_of_the_exact_one() {
+    let mut numbers = Numbers(2);
+    let mut seen = [0; 3];
+    for _ in 0..20_000 {
+        let [size, distance] = [numbers.unit(), numbers.unit()].map(|power| 10.0_f64.powf(3.0 * power));
+        let [a, b, c] = std::array::from_fn(|_| numbers.vector() * size);
+        // every other time nearly a line, and now and then one
+        let c =
+            if numbers.unit() < 0.0 { c } else { a + (b - a) * numbers.unit() + c * numbers.unit().powi(25) };
+        let target = a + ((b - a) + (c - a)) * 0.3;
+        let origin = target + numbers.vector() * distance;
+        let work = robust(&Ray3::<f64>::new(origin, target - origin), &Triangle { a, b, c });
+        assert_nearest(&work);
+        if work.lambda.is_some() {
+            seen[work.certainty as usize] += 1;
+        }
+    }
+    assert!(seen[0] > 5000 && seen[1] > 500, "{seen:?}");
+}
+
+/// The correction is not for show: without it, t is off by hundreds of its last digits somewhere.
+#[test]
+fn the_plain_quotient_is_not_enough() {
+    let mut numbers = Numbers(3);
+    let mut worst = 0;
+    for _ in 0..20_000 {
+        let [a, b, c] = std::array::from_fn(|_| numbers.vector());
+        let target = a + ((b - a) + (c - a)) * 0.3;
+        let origin = numbers.vector() * 10.0;
+        let ray = Ray3::<f64>::new(origin, target - origin);
+        let triangle = Triangle::<f64> { a, b, c };
+        let (plain, work) = (crate::matrix(&ray, &triangle).lambda, robust(&ray, &triangle));
+        if let (Some(lambda), Certainty::AtOnce) = (work.lambda, work.certainty) {
+            worst = worst.max(plain.to_bits().abs_diff(lambda.to_bits()));
+        }
+    }
+    assert!(worst > 100, "{worst}");
+}
+
+#[test]
+fn a_scale_is_of_no_account() {
+    for power in [-1000, -400, -200, -40, 0, 40, 200, 400, 1000] {
+        let scale = 2.0_f64.powi(power);
+        for length in [1.0, 2.0_f64.powi(-200), 2.0_f64.powi(200)] {
+            let triangle =
+                Triangle::<f64> { a: TRIANGLE.a * scale, b: TRIANGLE.b * scale, c: TRIANGLE.c * scale };
+            let direction = DVec3::new(1.0, 0.75, 1.0) * length;
+            let hit = robust(&Ray3::<f64>::new(DVec3::ZERO, direction), &triangle).hit(Span::ahead());
+            let hit = hit.unwrap().unwrap();
+            let t = 2.0 * (scale / length);
+            assert_eq!((hit.t, hit.normal), (t, DVec3::Z), "scale 2^{power}, length {length:e}");
+            assert_eq!(hit.point, DVec3::new(2.0, 1.5, 2.0) * scale);
+        }
+    }
+}
+
+#[test]
+fn what_overflows_or_vanishes_on_the_way_does_not_matter() {
+    // by hand: t = 1e300 / 1e−300, and the ray is straight down on (1, y, 1)
+    let ground = Triangle::<f64> { a: DVec3::ZERO, b: DVec3::Z * 4.0, c: DVec3::X * 4.0 };
+    let slow = Ray3::<f64>::new(DVec3::new(1.0, 1e300, 1.0), DVec3::new(0.0, -1e-300, 0.0));
+    let hit = robust(&slow, &ground).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point.x, hit.point.z), (f64::INFINITY, 1.0, 1.0));
+    // by hand: t = ± 1e−200 / 1e200, which is no number; in front it is 0, behind it is no hit
+    for (y, expected) in [(1e-200, Some(0.0)), (-1e-200, None)] {
+        let quick = Ray3::<f64>::new(DVec3::new(1.0, y, 1.0), DVec3::new(0.0, -1e200, 0.0));
+        let found = robust(&quick, &ground).hit(Span::ahead()).unwrap().map(|hit| hit.t);
+        assert_eq!(found, expected);
+    }
+    let tiny = Ray3::<f32>::new(Vec3::new(1.0, -1e-30, 1.0), Vec3::new(0.0, -1e30, 0.0));
+    let ground = Triangle::<f32> { a: Vec3::ZERO, b: Vec3::Z * 4.0, c: Vec3::X * 4.0 };
+    assert_eq!(robust(&tiny, &ground).lambda, Some(-f32::SMALLEST));
+}
+
+/// The main way finds what is degenerate by its error bound.
+#[test]
+fn no_degenerate_number_passes_in_any_place() {
+    let good = [0.0, 0.0, 0.0, 1.0, 0.75, 1.0, 1.0, 1.0, 2.0, 5.0, 1.0, 2.0, 1.0, 3.0, 2.0];
+    let reason = |c: [f64; 15]| {
+        let v = |i: usize| DVec3::new(c[i], c[i + 1], c[i + 2]);
+        let narrow = |i: usize| v(i).as_vec3();
+        let wide = robust(&Ray3::<f64>::new(v(0), v(3)), &Triangle { a: v(6), b: v(9), c: v(12) });
+        let ray = Ray3::<f32>::new(narrow(0), narrow(3));
+        let found = robust(&ray, &Triangle { a: narrow(6), b: narrow(9), c: narrow(12) });
+        assert_eq!(wide.hit(Span::ahead()).err(), found.hit(Span::ahead()).err(), "{c:?}");
+        wide.hit(Span::ahead()).err()
+    };
+    assert_eq!(reason(good), None);
+    for place in 0..15 {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut case = good;
+            case[place] = bad;
+            assert_eq!(reason(case), Some(Degenerate::NotFinite), "{bad} in place {place}");
+        }
+    }
+    let mut still = good;
+    still[3..6].fill(-0.0);
+    assert_eq!(reason(still), Some(Degenerate::ZeroDirection));
+    // two corners are one; or all lie on a line that the ray passes by far
+    for (from, to) in [(6, 9), (6, 12), (9, 12), (9, 6)] {
+        let mut line = good;
+        line.copy_within(from..from + 3, to);
+        assert_eq!(reason(line), Some(Degenerate::NoArea), "{line:?}");
+    }
+    let mut line = good;
+    line[12..15].copy_from_slice(&[-7.0, 1.0, 2.0]);
+    assert_eq!(reason(line), Some(Degenerate::NoArea));
+}
+
+/// Numbers of any bits, of which some are near each other.
+#[test]
+fn no_hit_has_a_number_that_is_none() {
+    fn assert_in_order<R: Real>(mut number: impl FnMut() -> R) {
+        for _ in 0..40_000 {
+            let mut v = || R::vec3(number(), number(), number());
+            let (ray, triangle) = (Ray3::<R>::new(v(), v()), Triangle { a: v(), b: v(), c: v() });
+            for method in Method::ALL {
+                let work = method.work(&ray, &triangle);
+                let Ok(Some(hit)) = work.hit(Span::ahead()) else { continue };
+                let [t, nx, ny, nz, x, y, z]: [f64; 7] = {
+                    let [[nx, ny, nz], [x, y, z]] = [hit.normal, hit.point].map(R::xyz);
+                    [hit.t, nx, ny, nz, x, y, z].map(Into::into)
+                };
+                let is_good = t >= 0.0 && [nx, ny, nz].iter().all(|x| x.is_finite());
+                assert!(
+                    is_good && ![x, y, z].iter().any(|x| x.is_nan()),
+                    "{} {ray:?} {hit:?}",
+                    method.name()
+                );
+                assert!(
+                    (nx * nx + ny * ny + nz * nz - 1.0).abs() < 1e-6 || method != Method::Robust,
+                    "{hit:?}"
+                );
+            }
+        }
+    }
+    let mut numbers = Numbers(4);
+    let mut any = move || {
+        let bits = numbers.bits();
+        match bits % 4 {
+            0 => f64::from_bits(numbers.bits()),
+            1 => numbers.unit() * 2.0_f64.powi((bits >> 8) as i32 % 600),
+            2 => (numbers.unit() * 3.0).round(),
+            _ => numbers.unit(),
+        }
+    };
+    assert_in_order::<f64>(&mut any);
+    assert_in_order::<f32>(|| any() as f32);
+}
