@@ -334,7 +334,7 @@ fn fingerprint<const N: usize>(subject: &impl Subject<N>) -> u64 {
 #[test]
 fn a_seed_draws_the_same_cases_everywhere() {
     let flat = [fingerprint(&RayWall), fingerprint(&RayPlane), fingerprint(&RayTriangle)];
-    assert_eq!(flat, [14748765499099355065, 775726111535703518, 17504584715224331605]);
+    assert_eq!(flat, [14748765499099355065, 775726111535703518, 6915177919118423381]);
     let round = [fingerprint(&RaySphere), fingerprint(&Quadric), fingerprint(&Affine)];
     assert_eq!(round, [2388186556670858702, 11896991667375144854, 1166127102034272357]);
 }
