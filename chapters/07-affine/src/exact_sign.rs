@@ -62,3 +62,54 @@ fn along_normal<N: Sure>(columns: [[f64; 3]; 3], u: [f64; 3], v: [f64; 3]) -> N 
 fn surely(ways: [&dyn Fn() -> Option<Ordering>; 3]) -> Ordering {
     ways.iter().find_map(|way| way()).unwrap_or(Ordering::Equal)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Deformed, Method, Object};
+    use glam::DVec3;
+    use math::Span;
+
+    /// By hand: A e_x = (1, 0, 1) and A e_y = (0, 1, 0) span the plane through t = (0, 0, 2) whose normal is (−1, 0, 1).
+    /// With the third column (0, 0, 1) det A = 1, with (0, 0, −1) it mirrors.
+    #[test]
+    fn along_the_plane_above_it_and_within_it() {
+        for third in [1.0, -1.0] {
+            let a = Matrix3::from_rows([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, third]]);
+            let affine = Affine { a, t: DVec3::new(0.0, 0.0, 2.0) };
+            let how = |z: f64, direction: [f64; 3]| {
+                parallel(&Ray3::new(DVec3::new(1.0, 5.0, z), direction.into()), &affine)
+            };
+            assert_eq!(how(4.0, [1.0, 7.0, 1.0]), Some(Parallel::Apart));
+            assert_eq!(how(3.0, [1.0, 7.0, 1.0]), Some(Parallel::Within));
+            assert_eq!(how(3.0_f64.next_down(), [1.0, 7.0, 1.0]), Some(Parallel::Apart));
+            assert_eq!(how(3.0, [1.0, 7.0, 1.0_f64.next_up()]), None, "up through it");
+            assert_eq!(how(3.0, [1.0, 7.0, 1.0_f64.next_down()]), None, "down through it");
+
+            // no method has a hit, and each says why
+            for object in [Object::Plane, Object::Triangle] {
+                let deformed = Deformed::new(object, affine).unwrap();
+                let within = Ray3::new(DVec3::new(1.0, 5.0, 3.0), DVec3::new(1.0, -7.0, 1.0));
+                for method in Method::ALL {
+                    let work = method.work(&within, &deformed);
+                    assert_eq!(work.hit(Span::ahead()), Ok(None), "{}", method.name());
+                    assert_eq!(work.parallel(), Some(Parallel::Within));
+                }
+            }
+            let sphere = Deformed::new(Object::Sphere, affine).unwrap();
+            assert_eq!(sphere.parallel(&Ray3::new(DVec3::ZERO, DVec3::Y)), None, "a solid has no plane");
+        }
+    }
+
+    /// The rows differ in the last digit of one number, or not at all.
+    #[test]
+    fn singular_is_det_0_and_nothing_else() {
+        let det = |a33: f64| {
+            of_determinant(&Matrix3::<f64>::from_rows([[0.1, 0.2, 0.3], [0.7, 0.1, 0.9], [0.1, 0.2, a33]]))
+        };
+        // by hand: det = (a33 − 0.3) (0.1 · 0.1 − 0.2 · 0.7), and the second factor is below zero
+        assert_eq!(det(0.3), Ordering::Equal);
+        assert_eq!(det(0.3_f64.next_up()), Ordering::Less);
+        assert_eq!(det(0.3_f64.next_down()), Ordering::Greater);
+    }
+}

@@ -48,3 +48,27 @@ pub(super) fn exactly<R: Real>(affine: &Affine<R>) -> Scaled<Exact> {
     }
     Scaled { adjugate, s: determinant }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Matrix3, Object};
+    use glam::DVec3;
+
+    /// The leading digits of adj A and det A are off by what they say, and by no more than a rounding; mirrored or not.
+    #[test]
+    fn what_is_kept_has_no_error_beyond_its_bound() {
+        for sign in [1.0, -1.0] {
+            let rows = [[0.1 * sign, 0.2, 0.3], [0.7 * sign, 0.1, 0.9], [0.3 * sign, 0.2, 1.1]];
+            let affine = Affine { a: Matrix3::<f64>::from_rows(rows), t: DVec3::ZERO };
+            let near = crate::Deformed::new(Object::Sphere, affine).unwrap().stored.near;
+            let exact = exactly(&affine);
+            let pairs = near.adjugate.iter().flatten().zip(exact.adjugate.iter().flatten());
+            for (near, exact) in pairs.chain([(&near.s, &exact.s)]) {
+                let off = (Exact::new(near.value) - exact.clone()).to_wide().to_f64().abs();
+                assert!(off <= near.error && near.error <= f64::EPSILON * near.value.abs(), "{near:?}");
+            }
+            assert!(near.s.value > 0.0);
+        }
+    }
+}
