@@ -1,11 +1,11 @@
 //! What programs have: Möller and Trumbore's formulas, which are Cramer's rule once more.
 //!
 //! A triple product may be turned round, (x × y) · z = (y × z) · x = (z × x) · y, and then the four determinants of
-//! [`mod@matrix`](crate::matrix) share two cross products, P = d × e2 and Q = s × e1. Möller and Trumbore (1997) have
+//! [`mod@matrix`](mod@crate::matrix) share two cross products, P = d × e2 and Q = s × e1. Möller and Trumbore (1997) have
 //! e1 = p̄2 − p̄1, e2 = p̄3 − p̄1 and s = ā − p̄1, where the page has −e1, −e2 and −s: three signs, so that each of
 //! their determinants is the page's with the other sign, and the quotients are the same.
 //!
-//! It is no method of its own here: what it loses, [`mod@matrix`](crate::matrix) loses.
+//! It is no method of its own here: what it loses, [`mod@matrix`](mod@crate::matrix) loses.
 
 use math::{Ray3, Real, Vector};
 

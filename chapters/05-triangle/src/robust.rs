@@ -1,8 +1,8 @@
 //! Why the others leak, and what to do about it.
 //!
 //! Two triangles of a mesh share an edge, and a ray that passes it must meet one of them. Each decides for itself. In
-//! [`mod@half_planes`](crate::half_planes) the point x is rounded, and beside the plane of either triangle; in
-//! [`mod@matrix`](crate::matrix) the one has α + β ≤ 1 where the other has β ≥ 0, which are the same question put in
+//! [`mod@half_planes`](mod@crate::half_planes) the point x is rounded, and beside the plane of either triangle; in
+//! [`mod@matrix`](mod@crate::matrix) the one has α + β ≤ 1 where the other has β ≥ 0, which are the same question put in
 //! different numbers. Where both are wrong the ray slips between them: the mesh leaks. A tolerance closes the crack and opens
 //! another: then rays are hit that pass outside of the last triangle, and some are hit twice.
 //!

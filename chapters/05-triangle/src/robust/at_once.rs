@@ -1,4 +1,4 @@
-//! The first way of [`robust`](super): the four determinants of [`mod@matrix`](crate::matrix) in plain `f64`, with their
+//! The first way of [`robust`](super): the four determinants of [`mod@matrix`](mod@crate::matrix) in plain `f64`, with their
 //! error bound.
 //!
 //! With u = 2^−53, the error of one operation, |x| for the sum of the magnitudes of a vector's components, e1 = p̄2 − p̄1,
@@ -14,12 +14,11 @@
 //! One bound for all, 16u \|d\| (\|e1\| \|e2\| + \|A\| (\|e1\| + \|e2\|)), is enough for the verdict of nearly all rays. It
 //! grows with the edges, not with the distance alone, for the volumes are taken from the edges: d · (C × A) is d · (e2 × A).
 
-use math::{Real, Vector};
+use math::{Ray3, Real, Vector};
 
 use super::correction::{Solution, corrected};
 use super::{Certainty, Passage, Robust};
 use crate::Triangle;
-use math::Ray3;
 
 /// u, the relative error of one operation.
 const UNIT: f64 = f64::EPSILON / 2.0;
