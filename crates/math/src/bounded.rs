@@ -9,8 +9,8 @@ use crate::{Quadratic, Real, Sure, TwoPart};
 /// A number that is off by `error` at most: T is `f64`, or [`TwoPart`] with twice the digits.
 ///
 /// Every sum and product adds its own rounding error to those of its parts. The bound itself is computed in
-/// floating point; [`SLACK`] makes up for its roundings in formulas of up to a million operations. What overflows
-/// has an infinite error or a NaN, and no sign; what is so small that digits vanish has [`VANISHED`] in its error.
+/// floating point; `SLACK` makes up for its roundings in formulas of up to a million operations. What overflows
+/// has an infinite error or a NaN, and no sign; what is so small that digits vanish has `VANISHED` in its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded<T> {
     /// The number.

@@ -128,6 +128,71 @@ const ORDERINGS: &[Ordering] = &[
         why: "an origin just above a large sphere: −b − √(b² − 4ac) cancels, and so does ⟨CO, CO⟩ − r²; \
               from inside the root adds to b",
     },
+    Ordering {
+        stage: "triangle",
+        loss: Loss::Verdicts,
+        more: side("matrix", "vertex", F64),
+        less: side("robust", "vertex", F64),
+        why: "α, β and α + β are rounded, and near a corner two of them are near their bounds; \
+              robust has the signs of three volumes, exactly",
+    },
+    Ordering {
+        stage: "triangle",
+        loss: Loss::Verdicts,
+        more: side("half-planes", "sliver-1e9", F64),
+        less: side("matrix", "sliver-1e9", F64),
+        why: "x is rounded to the digits of where it stands, and a sliver is thinner than these; \
+              the determinants are taken from differences",
+    },
+    Ordering {
+        stage: "triangle",
+        loss: Loss::Digits,
+        more: side("matrix", "grazing", F64),
+        less: side("matrix", "ordinary", F64),
+        why: "det M = d · n is the small difference of large products, and λ divides by it",
+    },
+    Ordering {
+        stage: "quadric",
+        loss: Loss::Verdicts,
+        more: side("notes", "cone-rim", F64),
+        less: side("robust", "cone-rim", F64),
+        why: "at the rim the wall's test of z and the base's of x² + y² are both about nothing, and rounded",
+    },
+    Ordering {
+        stage: "quadric",
+        loss: Loss::Digits,
+        more: side("notes", "cone-near-generator", F64),
+        less: side("notes", "ordinary", F64),
+        why: "A is nearly 0, and −B/A − √D/A the difference of two numbers of the size 1/A",
+    },
+    Ordering {
+        stage: "quadric",
+        loss: Loss::Verdicts,
+        more: side("notes", "cylinder-far", F64),
+        less: side("notes", "unnormalized", F64),
+        why: "B² − A C subtracts squares of the distance, as for a sphere; the length of d does not matter",
+    },
+    Ordering {
+        stage: "affine",
+        loss: Loss::Digits,
+        more: side("notes", "condition-1e6", F64),
+        less: side("notes", "condition-1e3", F64),
+        why: "A⁻¹ has an error of about the condition's times its own size, and a′ and d′ have it too",
+    },
+    Ordering {
+        stage: "affine",
+        loss: Loss::Digits,
+        more: side("notes", "plane-1e6", F64),
+        less: side("solved", "plane-1e6", F64),
+        why: "solving leaves A a′ right to a rounding, whatever the condition; A⁻¹ (a − t) does not",
+    },
+    Ordering {
+        stage: "affine",
+        loss: Loss::Verdicts,
+        more: side("solved", "condition-1e9", F64),
+        less: side("robust", "condition-1e9", F64),
+        why: "a sphere is decided by B² − A C of rounded numbers, however well they solve the equations",
+    },
 ];
 
 /// What a side loses.
