@@ -36,7 +36,7 @@ mod tests {
     use glam::Vec3;
 
     fn spans(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
-        has_area(&Triangle::<f64> { a: a.into(), b: b.into(), c: c.into() })
+        has_area(&Triangle::<f64> { p1: a.into(), p2: b.into(), p3: c.into() })
     }
 
     #[test]
@@ -62,13 +62,13 @@ mod tests {
     fn a_normal_that_cancels_is_not_zero() {
         let up = 1.0_f32.next_up();
         let triangle = Triangle::<f32> {
-            a: Vec3::ZERO,
-            b: Vec3::new(up, 1.0, 0.0),
-            c: Vec3::new(1.0, 1.0_f32.next_down(), 0.0),
+            p1: Vec3::ZERO,
+            p2: Vec3::new(up, 1.0, 0.0),
+            p3: Vec3::new(1.0, 1.0_f32.next_down(), 0.0),
         };
         // by hand: (1 + 2ε)(1 − ε) − 1 = ε − 2ε² with ε = 2^−24, and that product rounds to 1
         assert!(has_area(&triangle));
-        let turned = Triangle::<f32> { c: triangle.b, b: triangle.c, ..triangle };
+        let turned = Triangle::<f32> { p3: triangle.p2, p2: triangle.p3, ..triangle };
         assert!(has_area(&turned));
     }
 }

@@ -29,9 +29,9 @@ fn one_method<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R
     let source = if method == Method::Robust { "robust.rs" } else { "CSC418 11.3.1" };
     let section = transcript.section(title, source);
     section
-        .vector::<R>("p̄1", "a corner", triangle.a)
-        .vector::<R>("p̄2", "a corner", triangle.b)
-        .vector::<R>("p̄3", "a corner", triangle.c)
+        .vector::<R>("p̄1", "a corner", triangle.p1)
+        .vector::<R>("p̄2", "a corner", triangle.p2)
+        .vector::<R>("p̄3", "a corner", triangle.p3)
         .vector::<R>("ā", "where the ray starts", ray.origin)
         .note("p̄_ij, on the view plane")
         .vector::<R>("d⃗", "p̄_ij − ē", ray.direction)
@@ -179,7 +179,7 @@ fn plain<R: Real>(v: R::Vec3) -> R::Vec3 {
 }
 
 fn residual<R: Real>(hit: &Hit3<R>, triangle: &Triangle<R>) -> R {
-    (hit.point - triangle.a).dot(hit.normal)
+    (hit.point - triangle.p1).dot(hit.normal)
 }
 
 /// A hit, or the reason why there is none.

@@ -7,7 +7,7 @@ use crate::{Hit3, Triangle};
 
 /// Every number of the first way.
 ///
-/// The page's ā is the origin of the ray and its p̄1, p̄2, p̄3 are the corners a, b, c of [`Triangle`].
+/// The page's ā is the origin of the ray and its p̄1, p̄2, p̄3 are the corners of [`Triangle`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfPlanes<R: Real> {
     /// The ray ā + λ d.
@@ -37,7 +37,7 @@ pub struct HalfPlanes<R: Real> {
 /// [`HalfPlanes::hit`] sorts them out.
 #[inline]
 pub fn half_planes<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> HalfPlanes<R> {
-    let Triangle { a: p1, b: p2, c: p3 } = *triangle;
+    let Triangle { p1, p2, p3 } = *triangle;
 
     // (ā + λ d − p̄1) · n = 0, solved for λ
     let n = triangle.normal();
@@ -90,8 +90,11 @@ mod tests {
     use glam::DVec3;
 
     /// In the plane z = 2, with legs of 4 and 2.
-    const TRIANGLE: Triangle<f64> =
-        Triangle { a: DVec3::new(1.0, 1.0, 2.0), b: DVec3::new(5.0, 1.0, 2.0), c: DVec3::new(1.0, 3.0, 2.0) };
+    const TRIANGLE: Triangle<f64> = Triangle {
+        p1: DVec3::new(1.0, 1.0, 2.0),
+        p2: DVec3::new(5.0, 1.0, 2.0),
+        p3: DVec3::new(1.0, 3.0, 2.0),
+    };
 
     fn work(x: f64, y: f64, z: f64) -> HalfPlanes<f64> {
         half_planes(&Ray3::new(DVec3::ZERO, DVec3::new(x, y, z)), &TRIANGLE)
@@ -133,7 +136,7 @@ mod tests {
     fn what_is_behind_is_no_hit() {
         assert_eq!(work(-1.0, -0.75, -1.0).lambda, -2.0);
         assert_eq!(work(-1.0, -0.75, -1.0).hit(Span::ahead()), Ok(None));
-        let touching = half_planes(&Ray3::new(TRIANGLE.a, DVec3::Z), &TRIANGLE);
+        let touching = half_planes(&Ray3::new(TRIANGLE.p1, DVec3::Z), &TRIANGLE);
         assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0.0_f64.to_bits());
     }
 
@@ -150,10 +153,10 @@ mod tests {
     fn questions_without_an_answer_are_refused() {
         let still = half_planes(&Ray3::new(DVec3::ZERO, DVec3::ZERO), &TRIANGLE);
         assert_eq!(still.hit(Span::ahead()), Err(Degenerate::ZeroDirection));
-        let line = Triangle { c: DVec3::new(3.0, 1.0, 2.0), ..TRIANGLE };
+        let line = Triangle { p3: DVec3::new(3.0, 1.0, 2.0), ..TRIANGLE };
         let flat = half_planes(&Ray3::new(DVec3::ZERO, DVec3::Z), &line);
         assert_eq!(flat.hit(Span::ahead()), Err(Degenerate::NoArea));
-        let nowhere = Triangle { c: DVec3::NAN, ..TRIANGLE };
+        let nowhere = Triangle { p3: DVec3::NAN, ..TRIANGLE };
         let lost = half_planes(&Ray3::new(DVec3::ZERO, DVec3::Z), &nowhere);
         assert_eq!(lost.hit(Span::ahead()), Err(Degenerate::NotFinite));
     }

@@ -47,12 +47,12 @@ pub use robust::{Robust, robust};
 /// The points p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1) with α ≥ 0, β ≥ 0 and α + β ≤ 1: edges and corners belong to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle<R: Real> {
-    /// The page's p̄1: α = β = 0.
-    pub a: R::Vec3,
-    /// The page's p̄2: α = 1.
-    pub b: R::Vec3,
-    /// The page's p̄3: β = 1.
-    pub c: R::Vec3,
+    /// p̄1: α = β = 0.
+    pub p1: R::Vec3,
+    /// p̄2: α = 1.
+    pub p2: R::Vec3,
+    /// p̄3: β = 1.
+    pub p3: R::Vec3,
 }
 
 /// A hit in space.
@@ -63,19 +63,19 @@ impl<R: Real> Triangle<R> {
     /// counterclockwise. Zero or not, see [`area::has_area`].
     #[inline(always)]
     pub fn normal(&self) -> R::Vec3 {
-        R::cross(self.b - self.a, self.c - self.a)
+        R::cross(self.p2 - self.p1, self.p3 - self.p1)
     }
 
     /// The corners p̄1, p̄2, p̄3.
     #[inline(always)]
     pub fn corners(&self) -> [R::Vec3; 3] {
-        [self.a, self.b, self.c]
+        [self.p1, self.p2, self.p3]
     }
 
     /// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`],
     /// [`Degenerate::NoArea`], whichever comes first. Decided on the numbers as given, exactly.
     pub fn check(&self, ray: &Ray3<R>) -> Result<(), Degenerate> {
-        if ![ray.origin, ray.direction, self.a, self.b, self.c].iter().all(|v| v.is_finite()) {
+        if ![ray.origin, ray.direction, self.p1, self.p2, self.p3].iter().all(|v| v.is_finite()) {
             return Err(Degenerate::NotFinite);
         }
         if ray.direction.is_zero() {

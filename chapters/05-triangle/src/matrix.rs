@@ -42,7 +42,7 @@ pub struct Matrix<R: Real> {
 /// them out.
 #[inline]
 pub fn matrix<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Matrix<R> {
-    let Triangle { a: p1, b: p2, c: p3 } = *triangle;
+    let Triangle { p1, p2, p3 } = *triangle;
 
     // M (α, β, λ)ᵀ = p̄1 − ā
     let m = [-(p2 - p1), -(p3 - p1), ray.direction];
@@ -106,8 +106,11 @@ mod tests {
     use glam::DVec3;
 
     /// In the plane z = 2, with legs of 4 and 2.
-    const TRIANGLE: Triangle<f64> =
-        Triangle { a: DVec3::new(1.0, 1.0, 2.0), b: DVec3::new(5.0, 1.0, 2.0), c: DVec3::new(1.0, 3.0, 2.0) };
+    const TRIANGLE: Triangle<f64> = Triangle {
+        p1: DVec3::new(1.0, 1.0, 2.0),
+        p2: DVec3::new(5.0, 1.0, 2.0),
+        p3: DVec3::new(1.0, 3.0, 2.0),
+    };
 
     fn work(x: f64, y: f64, z: f64) -> Matrix<f64> {
         matrix(&Ray3::new(DVec3::ZERO, DVec3::new(x, y, z)), &TRIANGLE)
@@ -134,7 +137,7 @@ mod tests {
         let behind = work(-1.0, -0.75, -1.0);
         assert!(behind.is_inside(), "as printed");
         assert_eq!((behind.lambda, behind.hit(Span::ahead())), (-2.0, Ok(None)));
-        let touching = matrix(&Ray3::new(TRIANGLE.a, DVec3::Z), &TRIANGLE);
+        let touching = matrix(&Ray3::new(TRIANGLE.p1, DVec3::Z), &TRIANGLE);
         assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0.0_f64.to_bits());
     }
 
@@ -162,7 +165,7 @@ mod tests {
     fn questions_without_an_answer_are_refused() {
         let still = matrix(&Ray3::new(DVec3::ZERO, DVec3::ZERO), &TRIANGLE);
         assert_eq!(still.hit(Span::ahead()), Err(Degenerate::ZeroDirection));
-        let line = Triangle { c: DVec3::new(3.0, 1.0, 2.0), ..TRIANGLE };
+        let line = Triangle { p3: DVec3::new(3.0, 1.0, 2.0), ..TRIANGLE };
         let flat = matrix(&Ray3::new(DVec3::ZERO, DVec3::Z), &line);
         assert_eq!(flat.hit(Span::ahead()), Err(Degenerate::NoArea));
     }

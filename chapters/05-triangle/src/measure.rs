@@ -12,7 +12,7 @@ use crate::{Hit3, Method, Triangle, half_planes, matrix, regimes, robust};
 /// A ray and a triangle in the order of a case's columns.
 pub(crate) fn question<R: Real>(case: [R; 15]) -> (Ray3<R>, Triangle<R>) {
     let v = |i: usize| R::vec3(case[i], case[i + 1], case[i + 2]);
-    (Ray3::<R>::new(v(0), v(3)), Triangle { a: v(6), b: v(9), c: v(12) })
+    (Ray3::<R>::new(v(0), v(3)), Triangle { p1: v(6), p2: v(9), p3: v(12) })
 }
 
 impl Subject<15> for RayTriangle {
@@ -66,31 +66,31 @@ impl Subject<15> for RayTriangle {
     }
 }
 
-/// n = (b − a) × (c − a) with twice the digits; `None` where a sliver is so thin that most of them cancel.
+/// n = (p̄2 − p̄1) × (p̄3 − p̄1) with twice the digits; `None` where a sliver is so thin that most of them cancel.
 fn wide_normal<R: Real>(triangle: &Triangle<R>) -> Option<[Wide; 3]> {
-    let [a, b, c]: [[Wide; 3]; 3] = triangle.corners().map(Wide::vector::<R, 3>);
-    let [e1, e2]: [[Wide; 3]; 2] = [b, c].map(|to| std::array::from_fn(|axis| to[axis] - a[axis]));
+    let [p1, p2, p3]: [[Wide; 3]; 3] = triangle.corners().map(Wide::vector::<R, 3>);
+    let [e1, e2]: [[Wide; 3]; 2] = [p2, p3].map(|to| std::array::from_fn(|axis| to[axis] - p1[axis]));
     let minor = |i: usize, j: usize| e1[i] * e2[j] - e1[j] * e2[i];
     let n = [minor(1, 2), minor(2, 0), minor(0, 1)];
-    // Of some hundred digits at least forty are left.
+    // Of some hundred binary digits at least forty are left.
     let lost = Wide::from(1.0 / (1u64 << 60) as f64);
     let is_good = !(dot(n, n) - lost * lost * dot(e1, e1) * dot(e2, e2)).is_negative();
     is_good.then_some(n)
 }
 
-/// |n · (x − a)| / ‖n‖, the distance of the point from the plane, in units of the largest coordinate of the ray's
+/// |n · (x − p̄1)| / ‖n‖, the distance of the point from the plane, in units of the largest coordinate of the ray's
 /// origin, the corners and x: about 1e-16 is a rounding of `f64`.
 fn residual<R: Real>(hit: &Hit3<R>, ray: &Ray3<R>, triangle: &Triangle<R>, n: [Wide; 3]) -> f64 {
     if !hit.point.is_finite() {
         return f64::INFINITY;
     }
-    let [x, o, a, b, c]: [[Wide; 3]; 5] =
-        [hit.point, ray.origin, triangle.a, triangle.b, triangle.c].map(Wide::vector::<R, 3>);
-    let off = dot(n, std::array::from_fn(|axis| x[axis] - a[axis]));
+    let [x, o, p1, p2, p3]: [[Wide; 3]; 5] =
+        [hit.point, ray.origin, triangle.p1, triangle.p2, triangle.p3].map(Wide::vector::<R, 3>);
+    let off = dot(n, std::array::from_fn(|axis| x[axis] - p1[axis]));
     if off.is_zero() {
         return 0.0;
     }
-    let coordinates = [x, o, a, b, c].into_iter().flatten();
+    let coordinates = [x, o, p1, p2, p3].into_iter().flatten();
     let size = coordinates.map(|x| x.to_f64().abs()).fold(0.0, f64::max);
     (off / dot(n, n).sqrt() / Wide::from(size)).to_f64().abs()
 }
@@ -124,7 +124,7 @@ mod tests {
         let case = [vec![0.0; 6], line.to_vec()].concat();
         let (_, triangle) = question::<f64>(std::array::from_fn(|i| case[i]));
         assert!(wide_normal(&triangle).is_some());
-        let thin = Triangle::<f64> { c: glam::DVec3::new(1e300, 1e300, f64::next_up(1e300)), ..triangle };
+        let thin = Triangle::<f64> { p3: glam::DVec3::new(1e300, 1e300, f64::next_up(1e300)), ..triangle };
         assert!(wide_normal(&thin).is_some(), "as thin as any of this kind");
     }
 }

@@ -148,8 +148,8 @@ impl<R: Real> Mesh<R> {
     /// A face as a triangle. The face must be one of the mesh.
     #[inline]
     pub fn triangle(&self, face: usize) -> Triangle<R> {
-        let [a, b, c] = self.faces[face].map(|vertex| self.vertices[vertex]);
-        Triangle { a, b, c }
+        let [p1, p2, p3] = self.faces[face].map(|vertex| self.vertices[vertex]);
+        Triangle { p1, p2, p3 }
     }
 
     /// The nearest hit in `span`, by a method of this chapter: one face after the other. On a tie the earlier face

@@ -37,7 +37,7 @@ pub struct MollerTrumbore<R: Real> {
 /// Works out the four determinants with two cross products.
 #[inline]
 pub fn moller_trumbore<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> MollerTrumbore<R> {
-    let Triangle { a: p1, b: p2, c: p3 } = *triangle;
+    let Triangle { p1, p2, p3 } = *triangle;
     let (e1, e2, s) = (p2 - p1, p3 - p1, ray.origin - p1);
     let p = R::cross(ray.direction, e2);
     let q = R::cross(s, e1);
@@ -62,7 +62,7 @@ mod tests {
         };
         for _ in 0..1000 {
             let mut v = || DVec3::new(whole(), whole(), whole());
-            let (ray, triangle) = (Ray3::<f64>::new(v(), v()), Triangle { a: v(), b: v(), c: v() });
+            let (ray, triangle) = (Ray3::<f64>::new(v(), v()), Triangle { p1: v(), p2: v(), p3: v() });
             let (page, mt) = (matrix(&ray, &triangle), moller_trumbore(&ray, &triangle));
             assert_eq!(
                 [mt.det, mt.det_alpha, mt.det_beta, mt.det_lambda],

@@ -96,7 +96,7 @@ mod tests {
     use glam::DVec3;
 
     /// n = (0, 0, 1)
-    const UPRIGHT: Triangle<f64> = Triangle { a: DVec3::ZERO, b: DVec3::X, c: DVec3::Y };
+    const UPRIGHT: Triangle<f64> = Triangle { p1: DVec3::ZERO, p2: DVec3::X, p3: DVec3::Y };
 
     fn from(origin: [f64; 3], direction: [f64; 3]) -> Option<Parallel> {
         parallel(&Ray3::<f64>::new(origin.into(), direction.into()), &UPRIGHT)
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn as_printed_lambda_is_infinite_or_no_number() {
         let lambda = |origin: DVec3, direction: DVec3| {
-            (UPRIGHT.a - origin).dot(UPRIGHT.normal()) / direction.dot(UPRIGHT.normal())
+            (UPRIGHT.p1 - origin).dot(UPRIGHT.normal()) / direction.dot(UPRIGHT.normal())
         };
         assert_eq!(lambda(DVec3::new(0.2, 0.2, 1.0), DVec3::X), f64::NEG_INFINITY);
         assert!(lambda(DVec3::new(-1.0, 0.2, 0.0), DVec3::X).is_nan());
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn zero_means_zero() {
         // d lies in the plane x + y + z = const if its components sum to 0
-        let sloped = Triangle::<f64> { a: DVec3::X, b: DVec3::Y, c: DVec3::Z };
+        let sloped = Triangle::<f64> { p1: DVec3::X, p2: DVec3::Y, p3: DVec3::Z };
         let along =
             |x: f64, y: f64, z: f64| parallel(&Ray3::<f64>::new(DVec3::ZERO, DVec3::new(x, y, z)), &sloped);
         assert_eq!(along(1.0, -2.0, 1.0), Some(Parallel::Apart));
@@ -139,7 +139,7 @@ mod tests {
         let good = [0.5, 0.25, 1.0, 0.25, -0.5, -0.75, 0.5, 0.25, 0.125, 2.0, 0.5, 0.25, 0.5, 3.0, -0.5];
         let reason = |c: [f64; 15]| {
             let v = |i: usize| DVec3::new(c[i], c[i + 1], c[i + 2]);
-            let (ray, triangle) = (Ray3::<f64>::new(v(0), v(3)), Triangle { a: v(6), b: v(9), c: v(12) });
+            let (ray, triangle) = (Ray3::<f64>::new(v(0), v(3)), Triangle { p1: v(6), p2: v(9), p3: v(12) });
             crossing(&ray, &triangle)
         };
         assert_eq!(reason(good), Ok(None));

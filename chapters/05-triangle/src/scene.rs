@@ -7,7 +7,7 @@ use crate::Triangle;
 /// p̄1 = (−2, −1, −3), p̄2 = (2, −1, −3) and p̄3 = (0, 2, −5): its upper corner is farther away. n = (0, 8, 12).
 pub fn triangle<R: Real>() -> Triangle<R> {
     let v = |x, y, z| R::vec3(R::from(x), R::from(y), R::from(z));
-    Triangle { a: v(-2.0, -1.0, -3.0), b: v(2.0, -1.0, -3.0), c: v(0.0, 2.0, -5.0) }
+    Triangle { p1: v(-2.0, -1.0, -3.0), p2: v(2.0, -1.0, -3.0), p3: v(0.0, 2.0, -5.0) }
 }
 
 /// Where the worked example's ray starts: x and y of p̄_ij. It hits at λ = 3, with α = 1/8 and β = 1/2.

@@ -91,7 +91,7 @@ mod tests {
         let ball = bumpy_ball::<f64>(DIVISIONS, [0.0; 3]);
         for face in 0..ball.faces().len() {
             let triangle = ball.triangle(face);
-            assert!(triangle.normal().dot(triangle.a) > 0.0, "face {face}");
+            assert!(triangle.normal().dot(triangle.p1) > 0.0, "face {face}");
         }
         let away: Vec<f64> = ball.vertices().iter().map(|vertex| vertex.length()).collect();
         assert!(away.iter().all(|r| (0.625..=1.375).contains(r)));

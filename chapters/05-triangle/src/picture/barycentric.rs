@@ -28,7 +28,7 @@ pub(super) fn name_corners<R: Real>(canvas: &mut Canvas, triangle: &Triangle<R>,
     let at = |shares: [f32; 3]| {
         let weighted =
             triangle.corners().into_iter().zip(shares).map(|(corner, share)| corner * R::from(share));
-        let point = weighted.reduce(|sum, corner| sum + corner).unwrap_or(triangle.a);
+        let point = weighted.reduce(|sum, corner| sum + corner).unwrap_or(triangle.p1);
         view.at(seen_at::<R>(point))
     };
     for share in [0.25, 0.5, 0.75] {

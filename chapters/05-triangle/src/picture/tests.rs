@@ -6,11 +6,11 @@ fn the_corners_are_their_colors() {
     let triangle = crate::scene::triangle::<f64>();
     for method in Method::ALL {
         for (point, color) in [
-            (triangle.a, [0, 0, 255]),
-            (triangle.b, [255, 0, 0]),
-            (triangle.c, [0, 255, 0]),
+            (triangle.p1, [0, 0, 255]),
+            (triangle.p2, [255, 0, 0]),
+            (triangle.p3, [0, 255, 0]),
             // by hand: a quarter of p̄1 and p̄3 and half of p̄2; 63.75 and 127.5 to the nearest
-            (triangle.a * 0.25 + triangle.b * 0.5 + triangle.c * 0.25, [128, 64, 64]),
+            (triangle.p1 * 0.25 + triangle.p2 * 0.5 + triangle.p3 * 0.25, [128, 64, 64]),
         ] {
             let ray = Ray3::<f64>::new(point * 0.5, point);
             let seen = barycentric::color(method, &ray, &triangle);

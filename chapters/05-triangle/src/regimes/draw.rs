@@ -14,22 +14,22 @@ pub(super) struct Scene {
 impl Scene {
     /// The columns of a case file.
     pub(super) fn numbers(&self) -> [f64; 15] {
-        let Scene { ray: Ray3 { origin: o, direction: d }, triangle: Triangle { a, b, c } } = self;
-        let vectors = [o, d, a, b, c].map(|v| v.to_array());
+        let Scene { ray: Ray3 { origin: o, direction: d }, triangle: Triangle { p1, p2, p3 } } = self;
+        let vectors = [o, d, p1, p2, p3].map(|v| v.to_array());
         std::array::from_fn(|i| vectors[i / 3][i % 3])
     }
 
     /// Everything elsewhere.
     fn moved(mut self, by: Vec3) -> Scene {
-        let Triangle { a, b, c } = &mut self.triangle;
-        [&mut self.ray.origin, a, b, c].into_iter().for_each(|point| *point += by);
+        let Triangle { p1, p2, p3 } = &mut self.triangle;
+        [&mut self.ray.origin, p1, p2, p3].into_iter().for_each(|point| *point += by);
         self
     }
 
     /// Every length times a factor, the direction as it is.
     fn scaled(mut self, factor: f64) -> Scene {
-        let Triangle { a, b, c } = &mut self.triangle;
-        [&mut self.ray.origin, a, b, c].into_iter().for_each(|point| *point *= factor);
+        let Triangle { p1, p2, p3 } = &mut self.triangle;
+        [&mut self.ray.origin, p1, p2, p3].into_iter().for_each(|point| *point *= factor);
         self
     }
 
@@ -47,11 +47,11 @@ const SPREAD: f64 = 10.0;
 fn triangle(draw: &mut Draw, spread: f64, size: f64) -> Triangle<f64> {
     let center = draw.in_cube(spread);
     loop {
-        let [a, b, c] = std::array::from_fn(|_| {
+        let [p1, p2, p3] = std::array::from_fn(|_| {
             let corner = center + draw.direction() * size;
             draw.rounded_vector(corner)
         });
-        let triangle = Triangle::<f64> { a, b, c };
+        let triangle = Triangle::<f64> { p1, p2, p3 };
         // twice the area of one with equal sides would be 2.6 size²
         if triangle.normal().length() > 0.25 * size * size {
             return triangle;
@@ -61,8 +61,8 @@ fn triangle(draw: &mut Draw, spread: f64, size: f64) -> Triangle<f64> {
 
 /// p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1)
 fn point(triangle: &Triangle<f64>, alpha: f64, beta: f64) -> Vec3 {
-    let Triangle { a, b, c } = *triangle;
-    a + (b - a) * alpha + (c - a) * beta
+    let Triangle { p1, p2, p3 } = *triangle;
+    p1 + (p2 - p1) * alpha + (p3 - p1) * beta
 }
 
 /// A point of the plane that is in the triangle half of the time, and never far from it.
@@ -143,7 +143,7 @@ pub(super) fn edge_exact(draw: &mut Draw) -> [f64; 15] {
         let direction = whole(draw, 9);
         let origin = target - direction * draw.whole(0, 8);
         let corners = [[a, b, c], [c, a, b], [b, c, a]][draw.below(3) as usize];
-        let triangle = Triangle::<f64> { a: corners[0], b: corners[1], c: corners[2] };
+        let triangle = Triangle::<f64> { p1: corners[0], p2: corners[1], p3: corners[2] };
         if triangle.normal().dot(direction) != 0.0 {
             return Scene { ray: Ray3::<f64>::new(origin, direction), triangle }.numbers();
         }
@@ -157,8 +157,8 @@ pub(super) fn sliver(draw: &mut Draw, aspect: f64, aspect_at_f32: f64) -> [f64; 
     let a = draw.in_cube(SPREAD);
     let (b, c) = (a + along * length, a + along * (length * draw.uniform(0.0, 1.0)) + height);
     let corners = [[a, b, c], [c, a, b], [b, c, a]][draw.below(3) as usize];
-    let [a, b, c] = corners.map(|corner| draw.rounded_vector(corner));
-    let triangle = Triangle::<f64> { a, b, c };
+    let [p1, p2, p3] = corners.map(|corner| draw.rounded_vector(corner));
+    let triangle = Triangle::<f64> { p1, p2, p3 };
     let (target, distance) = (point_about(draw, &triangle), draw.uniform(5.0, 40.0));
     aimed(draw, triangle, target, distance).numbers()
 }
@@ -183,7 +183,7 @@ pub(super) fn parallel(draw: &mut Draw) -> [f64; 15] {
         let [i, j, k, l] = std::array::from_fn(|_| draw.whole(-5, 5));
         let direction = e1 * i + e2 * j;
         let beside = if draw.coin() { whole(draw, 9) } else { Vec3::ZERO };
-        let triangle = Triangle::<f64> { a, b: a + e1, c: a + e2 };
+        let triangle = Triangle::<f64> { p1: a, p2: a + e1, p3: a + e2 };
         if direction != Vec3::ZERO && triangle.normal() != Vec3::ZERO {
             let ray = Ray3::<f64>::new(a + e1 * k + e2 * l + beside, direction);
             return draw.nudged(Scene { ray, triangle }.numbers());

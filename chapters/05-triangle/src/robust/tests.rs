@@ -9,7 +9,7 @@ use super::*;
 use crate::Method;
 
 const TRIANGLE: Triangle<f64> =
-    Triangle { a: DVec3::new(1.0, 1.0, 2.0), b: DVec3::new(5.0, 1.0, 2.0), c: DVec3::new(1.0, 3.0, 2.0) };
+    Triangle { p1: DVec3::new(1.0, 1.0, 2.0), p2: DVec3::new(5.0, 1.0, 2.0), p3: DVec3::new(1.0, 3.0, 2.0) };
 
 /// From the world's origin toward (x, y, 2), which is a point of the triangle's plane.
 fn toward(x: f64, y: f64) -> Robust<f64> {
@@ -63,7 +63,7 @@ fn what_is_behind_is_no_hit_and_touching_is() {
     let behind = robust(&Ray3::<f64>::new(DVec3::ZERO, DVec3::new(-1.0, -0.75, -1.0)), &TRIANGLE);
     assert_eq!((behind.lambda, behind.hit(Span::ahead())), (Some(-2.0), Ok(None)));
     for z in [1.0, -1.0] {
-        let touching = robust(&Ray3::<f64>::new(TRIANGLE.a, DVec3::new(0.0, 0.0, z)), &TRIANGLE);
+        let touching = robust(&Ray3::<f64>::new(TRIANGLE.p1, DVec3::new(0.0, 0.0, z)), &TRIANGLE);
         assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0, "minus zero is zero");
     }
 }
@@ -73,7 +73,7 @@ fn leaks(method: Method, rays: usize) -> usize {
     let mut numbers = Numbers(1);
     let missed = |_: &usize| {
         let [a, b, c] = std::array::from_fn(|_| numbers.vector());
-        let halves = [Triangle::<f64> { a, b, c }, Triangle { a: b, b: b + c - a, c }];
+        let halves = [Triangle::<f64> { p1: a, p2: b, p3: c }, Triangle { p1: b, p2: b + c - a, p3: c }];
         let target = b + (c - b) * numbers.unit().abs();
         let origin = numbers.vector() * 5.0;
         let ray = Ray3::<f64>::new(origin, target - origin);
@@ -116,7 +116,7 @@ fn lambda_is_a_neighbor_of_the_exact_one() {
             if numbers.unit() < 0.0 { c } else { a + (b - a) * numbers.unit() + c * numbers.unit().powi(25) };
         let target = a + ((b - a) + (c - a)) * 0.3;
         let origin = target + numbers.vector() * distance;
-        let work = robust(&Ray3::<f64>::new(origin, target - origin), &Triangle { a, b, c });
+        let work = robust(&Ray3::<f64>::new(origin, target - origin), &Triangle { p1: a, p2: b, p3: c });
         assert_nearest(&work);
         if work.lambda.is_some() {
             seen[work.certainty as usize] += 1;
@@ -135,7 +135,7 @@ fn the_plain_quotient_is_not_enough() {
         let target = a + ((b - a) + (c - a)) * 0.3;
         let origin = numbers.vector() * 10.0;
         let ray = Ray3::<f64>::new(origin, target - origin);
-        let triangle = Triangle::<f64> { a, b, c };
+        let triangle = Triangle::<f64> { p1: a, p2: b, p3: c };
         let (plain, work) = (crate::matrix(&ray, &triangle).lambda, robust(&ray, &triangle));
         if let (Some(lambda), Certainty::AtOnce) = (work.lambda, work.certainty) {
             worst = worst.max(plain.to_bits().abs_diff(lambda.to_bits()));
@@ -150,7 +150,7 @@ fn a_scale_is_of_no_account() {
         let scale = 2.0_f64.powi(power);
         for length in [1.0, 2.0_f64.powi(-200), 2.0_f64.powi(200)] {
             let triangle =
-                Triangle::<f64> { a: TRIANGLE.a * scale, b: TRIANGLE.b * scale, c: TRIANGLE.c * scale };
+                Triangle::<f64> { p1: TRIANGLE.p1 * scale, p2: TRIANGLE.p2 * scale, p3: TRIANGLE.p3 * scale };
             let direction = DVec3::new(1.0, 0.75, 1.0) * length;
             let hit = robust(&Ray3::<f64>::new(DVec3::ZERO, direction), &triangle).hit(Span::ahead());
             let hit = hit.unwrap().unwrap();
@@ -164,7 +164,7 @@ fn a_scale_is_of_no_account() {
 #[test]
 fn what_overflows_or_vanishes_on_the_way_does_not_matter() {
     // by hand: t = 1e300 / 1e−300, and the ray is straight down on (1, y, 1)
-    let ground = Triangle::<f64> { a: DVec3::ZERO, b: DVec3::Z * 4.0, c: DVec3::X * 4.0 };
+    let ground = Triangle::<f64> { p1: DVec3::ZERO, p2: DVec3::Z * 4.0, p3: DVec3::X * 4.0 };
     let slow = Ray3::<f64>::new(DVec3::new(1.0, 1e300, 1.0), DVec3::new(0.0, -1e-300, 0.0));
     let hit = robust(&slow, &ground).hit(Span::ahead()).unwrap().unwrap();
     assert_eq!((hit.t, hit.point.x, hit.point.z), (f64::INFINITY, 1.0, 1.0));
@@ -175,7 +175,7 @@ fn what_overflows_or_vanishes_on_the_way_does_not_matter() {
         assert_eq!(found, expected);
     }
     let tiny = Ray3::<f32>::new(Vec3::new(1.0, -1e-30, 1.0), Vec3::new(0.0, -1e30, 0.0));
-    let ground = Triangle::<f32> { a: Vec3::ZERO, b: Vec3::Z * 4.0, c: Vec3::X * 4.0 };
+    let ground = Triangle::<f32> { p1: Vec3::ZERO, p2: Vec3::Z * 4.0, p3: Vec3::X * 4.0 };
     assert_eq!(robust(&tiny, &ground).lambda, Some(-f32::SMALLEST));
 }
 
@@ -186,9 +186,9 @@ fn no_degenerate_number_passes_in_any_place() {
     let reason = |c: [f64; 15]| {
         let v = |i: usize| DVec3::new(c[i], c[i + 1], c[i + 2]);
         let narrow = |i: usize| v(i).as_vec3();
-        let wide = robust(&Ray3::<f64>::new(v(0), v(3)), &Triangle { a: v(6), b: v(9), c: v(12) });
+        let wide = robust(&Ray3::<f64>::new(v(0), v(3)), &Triangle { p1: v(6), p2: v(9), p3: v(12) });
         let ray = Ray3::<f32>::new(narrow(0), narrow(3));
-        let found = robust(&ray, &Triangle { a: narrow(6), b: narrow(9), c: narrow(12) });
+        let found = robust(&ray, &Triangle { p1: narrow(6), p2: narrow(9), p3: narrow(12) });
         assert_eq!(wide.hit(Span::ahead()).err(), found.hit(Span::ahead()).err(), "{c:?}");
         wide.hit(Span::ahead()).err()
     };
@@ -220,7 +220,7 @@ fn no_hit_has_a_number_that_is_none() {
     fn assert_in_order<R: Real>(mut number: impl FnMut() -> R) {
         for _ in 0..40_000 {
             let mut v = || R::vec3(number(), number(), number());
-            let (ray, triangle) = (Ray3::<R>::new(v(), v()), Triangle { a: v(), b: v(), c: v() });
+            let (ray, triangle) = (Ray3::<R>::new(v(), v()), Triangle { p1: v(), p2: v(), p3: v() });
             for method in Method::ALL {
                 let work = method.work(&ray, &triangle);
                 let Ok(Some(hit)) = work.hit(Span::ahead()) else { continue };
