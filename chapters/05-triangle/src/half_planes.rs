@@ -2,7 +2,7 @@
 
 use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
-use crate::parallel::{crossing, parallel};
+use crate::parallel::{parallel, try_parallel};
 use crate::{Hit3, Triangle};
 
 /// Every number of the first way.
@@ -72,7 +72,7 @@ impl<R: Real> HalfPlanes<R> {
     /// The hit, where its t = λ* lies in `span` and the point in all three half-planes.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        if crossing(&self.ray, &self.triangle)?.is_some() {
+        if try_parallel(&self.ray, &self.triangle)?.is_some() {
             return Ok(None);
         }
         let is_inside = self.sides.iter().all(|&side| side >= R::from(0.0));

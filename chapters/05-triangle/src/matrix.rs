@@ -2,7 +2,7 @@
 
 use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
-use crate::parallel::{crossing, parallel};
+use crate::parallel::{parallel, try_parallel};
 use crate::{Hit3, Triangle};
 
 /// Every number of the second way.
@@ -89,7 +89,7 @@ impl<R: Real> Matrix<R> {
     /// The hit, where the page's conditions hold and t = λ lies in `span`.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        if crossing(&self.ray, &self.triangle)?.is_some() {
+        if try_parallel(&self.ray, &self.triangle)?.is_some() {
             return Ok(None);
         }
         if !(self.is_inside() && span.contains(self.lambda)) {

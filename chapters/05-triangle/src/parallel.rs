@@ -28,13 +28,13 @@ pub fn parallel<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<Parall
     if surely_crosses(ray, triangle) { None } else { certainly(ray, triangle) }
 }
 
-/// What there is to say before λ: [`Degenerate`] for a question without an answer, how the ray runs along the
-/// plane, or `None` where there is one λ.
+/// The same for any ray and triangle: [`Degenerate`] for a question without an answer. `None` is the good case: there
+/// is one λ.
 ///
 /// A ray for which d · n is surely not zero has a direction and the triangle an area: for nearly all rays that is
 /// the only thing to find out.
 #[inline(always)]
-pub fn crossing<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Result<Option<Parallel>, Degenerate> {
+pub fn try_parallel<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Result<Option<Parallel>, Degenerate> {
     if surely_crosses(ray, triangle) && ray.origin.is_finite() {
         return Ok(None);
     }
@@ -140,7 +140,7 @@ mod tests {
         let reason = |c: [f64; 15]| {
             let v = |i: usize| DVec3::new(c[i], c[i + 1], c[i + 2]);
             let (ray, triangle) = (Ray3::<f64>::new(v(0), v(3)), Triangle { p1: v(6), p2: v(9), p3: v(12) });
-            crossing(&ray, &triangle)
+            try_parallel(&ray, &triangle)
         };
         assert_eq!(reason(good), Ok(None));
         for place in 0..15 {
