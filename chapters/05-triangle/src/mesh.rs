@@ -162,7 +162,7 @@ impl<R: Real> Mesh<R> {
         ray: &Ray3<R>,
         span: Span<R>,
     ) -> Result<Option<MeshHit<R>>, Degenerate> {
-        check(ray)?;
+        ray.check()?;
         let mut nearest: Option<(usize, Hit3<R>)> = None;
         for face in 0..self.faces.len() {
             let Ok(Some(hit)) = method.work(ray, &self.triangle(face)).hit(span) else { continue };
@@ -193,15 +193,6 @@ impl<R: Real> MeshHit<R> {
     pub fn turned_toward(&self, direction: R::Vec3) -> [R::Vec3; 2] {
         let normals = [self.hit.normal, self.shading_normal];
         if self.hit.normal.dot(direction) > R::from(0.0) { normals.map(|n| -n) } else { normals }
-    }
-}
-
-/// Refuses a ray that is none.
-fn check<R: Real>(ray: &Ray3<R>) -> Result<(), Degenerate> {
-    match () {
-        _ if !ray.origin.is_finite() || !ray.direction.is_finite() => Err(Degenerate::NotFinite),
-        _ if ray.direction.is_zero() => Err(Degenerate::ZeroDirection),
-        _ => Ok(()),
     }
 }
 

@@ -53,19 +53,6 @@ pub enum Part {
 /// A hit in space.
 pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
 
-/// Refuses a question without an answer: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`], whichever comes
-/// first.
-#[inline(always)]
-pub fn check<R: Real>(ray: &Ray3<R>) -> Result<(), Degenerate> {
-    if !(ray.origin.is_finite() && ray.direction.is_finite()) {
-        return Err(Degenerate::NotFinite);
-    }
-    if ray.direction.is_zero() {
-        return Err(Degenerate::ZeroDirection);
-    }
-    Ok(())
-}
-
 impl Shape {
     /// Both, in the order of the page. A case file's column holds a shape's place here.
     pub const ALL: [Shape; 2] = [Shape::Cylinder, Shape::Cone];

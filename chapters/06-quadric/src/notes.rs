@@ -2,7 +2,7 @@
 
 use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 
-use crate::{Hit3, Part, Shape, check};
+use crate::{Hit3, Part, Shape};
 
 /// Every number of the page's method. The ray is a + λ d; the page's B is half of the linear coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,7 +202,7 @@ impl<R: Real> Notes<R> {
     /// The nearest hit in `span`: "the intersection with the smallest positive λ", λ = 0 included.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        check(&self.ray)?;
+        self.ray.check()?;
         let Some(place) = self.nearest(span) else { return Ok(None) };
         let Candidate { part, lambda, point, .. } = self.all[place];
         let normal = self.shape.normal::<R>(part, point);

@@ -6,7 +6,7 @@
 
 use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 
-use crate::{Hit3, check};
+use crate::Hit3;
 
 /// The radius at a height 0 ≤ z ≤ 1 by the printed formula, ½√(1 − z²).
 pub fn printed_radius<R: Real>(z: R) -> R {
@@ -21,7 +21,7 @@ pub fn radius<R: Real>(z: R) -> R {
 
 /// The nearest hit in `span` of the printed surface with the base under it, found as the notes find theirs.
 pub fn hit<R: Real>(ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-    check(ray)?;
+    ray.check()?;
     let ([a_x, a_y, a_z], [d_x, d_y, d_z]) = (R::xyz(ray.origin), R::xyz(ray.direction));
     let (zero, one, quarter) = (R::from(0.0), R::from(1.0), R::from(0.25));
 

@@ -18,7 +18,7 @@ mod verdict;
 use math::wide::{exponent_of, scaled};
 use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector};
 
-use crate::{Hit3, Part, Shape, check};
+use crate::{Hit3, Part, Shape};
 
 pub use line::Line;
 pub use verdict::{Place, Verdict};
@@ -128,7 +128,7 @@ impl<R: Real> Robust<R> {
     /// that leaves a surface and looks for t > 0, where it leaves the solid.
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        check(&self.ray)?;
+        self.ray.check()?;
         let (Some(part), Some(t)) = (self.verdict.part(), self.t) else { return Ok(None) };
         let (part, t) = if t < span.min { self.exit() } else { (part, t) };
         if !span.contains(t) {

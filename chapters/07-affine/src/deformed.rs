@@ -37,7 +37,7 @@ impl<R: Real> Deformed<R> {
         if !affine.a.is_finite() || !affine.t.is_finite() {
             return Err(Degenerate::NotFinite);
         }
-        check_ray(ray)?;
+        ray.check()?;
         Deformed::new(object, affine)
     }
 
@@ -47,18 +47,6 @@ impl<R: Real> Deformed<R> {
     pub fn parallel(&self, ray: &Ray3<R>) -> Option<Parallel> {
         if self.object.is_flat() { exact_sign::parallel(ray, &self.affine) } else { None }
     }
-}
-
-/// Refuses a ray that asks nothing: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`].
-#[inline(always)]
-pub(crate) fn check_ray<R: Real>(ray: &Ray3<R>) -> Result<(), Degenerate> {
-    if !ray.origin.is_finite() || !ray.direction.is_finite() {
-        return Err(Degenerate::NotFinite);
-    }
-    if ray.direction.is_zero() {
-        return Err(Degenerate::ZeroDirection);
-    }
-    Ok(())
 }
 
 impl Stored {

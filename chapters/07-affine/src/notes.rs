@@ -2,7 +2,6 @@
 
 use math::{Degenerate, Ray3, Real, Span};
 
-use crate::deformed::check_ray;
 use crate::{Deformed, Found, Hit3, Undeformed, undeformed};
 
 /// Every number of the page's method.
@@ -41,7 +40,7 @@ impl<R: Real> Notes<'_, R> {
     /// The λ* of the nearest hit in `span`, in both spaces. `None` also where A⁻¹ overflows.
     #[inline]
     pub fn found(&self, span: Span<R>) -> Result<Option<Found<R>>, Degenerate> {
-        check_ray(&self.ray)?;
+        self.ray.check()?;
         if self.deformed.parallel(&self.ray).is_some() {
             return Ok(None);
         }

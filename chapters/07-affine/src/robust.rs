@@ -41,7 +41,6 @@ mod tests;
 use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 use quadric::robust::Verdict;
 
-use crate::deformed::check_ray;
 use crate::{Deformed, Found, Hit3};
 
 pub use quadric::robust::Certainty;
@@ -103,7 +102,7 @@ pub struct Crossing<R> {
 /// Works out the robust method.
 #[inline(always)]
 pub fn robust<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Robust<'a, R> {
-    let solved = if check_ray(ray).is_ok() { solve::first(ray, deformed) } else { solve::Solved::NOTHING };
+    let solved = if ray.check().is_ok() { solve::first(ray, deformed) } else { solve::Solved::NOTHING };
     let solve::Solved { verdict, steps, crossing } = solved;
     Robust { ray: *ray, deformed, verdict, steps, first: crossing }
 }
@@ -118,7 +117,7 @@ impl<R: Real> Robust<'_, R> {
     /// The λ* of the nearest hit in `span`, in both spaces. What lies behind the origin is not looked for.
     #[inline(always)]
     pub fn found(&self, span: Span<R>) -> Result<Option<Found<R>>, Degenerate> {
-        check_ray(&self.ray)?;
+        self.ray.check()?;
         let Some(first) = self.first else { return Ok(None) };
         // Where that comes too early, as for a ray that leaves a surface and looks for λ > 0, it may still leave.
         let crossing =

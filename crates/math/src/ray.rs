@@ -1,6 +1,6 @@
 //! The ray equation.
 
-use crate::{Real, Vector};
+use crate::{Degenerate, Real, Vector};
 
 /// A ray x(t) = p_r + t u_r in space: an origin and a direction.
 ///
@@ -27,6 +27,20 @@ impl<R: Real> Ray3<R> {
     /// A ray from `origin` along `direction`, both taken as they are.
     pub fn new(origin: R::Vec3, direction: R::Vec3) -> Self {
         Ray3 { origin, direction }
+    }
+
+    /// Refuses a ray that asks nothing: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`], whichever comes first.
+    ///
+    /// Where numbers of the object can be refused too, the object's own `check` has the order of the reasons.
+    #[inline(always)]
+    pub fn check(&self) -> Result<(), Degenerate> {
+        if !(self.origin.is_finite() && self.direction.is_finite()) {
+            return Err(Degenerate::NotFinite);
+        }
+        if self.direction.is_zero() {
+            return Err(Degenerate::ZeroDirection);
+        }
+        Ok(())
     }
 
     /// The point x(t) = p_r + t u_r (House, Eq. 4.1); for an infinite t, see [`Ray2::at`].
@@ -65,6 +79,15 @@ mod tests {
         let ray = Ray3::<f64>::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, -2.0, 4.0));
         assert_eq!(ray.at(0.5), DVec3::new(1.0, 1.0, 5.0));
         assert_eq!(ray.at(0.0), ray.origin);
+    }
+
+    #[test]
+    fn a_ray_that_asks_nothing_is_refused() {
+        let check = |origin, direction| Ray3::<f64>::new(origin, direction).check();
+        assert_eq!(check(DVec3::ZERO, DVec3::new(0.0, 5e-324, 0.0)), Ok(()));
+        assert_eq!(check(DVec3::ZERO, DVec3::new(0.0, -0.0, 0.0)), Err(Degenerate::ZeroDirection));
+        assert_eq!(check(DVec3::NAN, DVec3::ZERO), Err(Degenerate::NotFinite));
+        assert_eq!(check(DVec3::ZERO, DVec3::INFINITY), Err(Degenerate::NotFinite));
     }
 
     #[test]

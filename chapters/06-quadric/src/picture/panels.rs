@@ -208,7 +208,7 @@ mod tests {
                 let (panel, place) = layout.place_of((col, row));
                 let camera = panel.camera::<f32>().unwrap();
                 let ray = panel.ray(&camera, &panel.view((0.0, 0.0)), place);
-                assert_eq!(crate::check(&ray), Ok(()), "{panel:?} {place:?}");
+                assert_eq!(ray.check(), Ok(()), "{panel:?} {place:?}");
             }
         }
     }
