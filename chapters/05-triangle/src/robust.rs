@@ -29,7 +29,7 @@ mod at_once;
 mod carefully;
 mod correction;
 
-use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
+use math::{Certainty, Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
 use crate::parallel::parallel;
 use crate::{Hit3, Triangle};
@@ -59,28 +59,6 @@ pub struct Robust<R: Real> {
     fine_lambda: f64,
     /// n, where plain `f64` is enough for it.
     n: Option<[f64; 3]>,
-}
-
-/// How the verdict was reached.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Certainty {
-    /// In plain `f64`: by more than any rounding could make up for.
-    AtOnce,
-    /// With twice the digits.
-    TwoPart,
-    /// By exact sums.
-    Exact,
-}
-
-impl Certainty {
-    /// What it means.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Certainty::AtOnce => "certain at once",
-            Certainty::TwoPart => "with twice the digits, certain by its error bound",
-            Certainty::Exact => "too close to call: summed exactly",
-        }
-    }
 }
 
 /// How the line of the ray passes the triangle.

@@ -16,7 +16,7 @@ mod line;
 mod verdict;
 
 use math::wide::{exponent_of, scaled};
-use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector};
+use math::{Bounded, Certainty, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector};
 
 use crate::{Hit3, Part, Shape};
 
@@ -40,28 +40,6 @@ pub struct Robust<R: Real> {
     pub t: Option<R>,
     /// With what kind of number t was worked out.
     pub t_certainty: Certainty,
-}
-
-/// With what kind of number something was worked out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Certainty {
-    /// In plain `f64`.
-    AtOnce,
-    /// With twice the digits.
-    TwoPart,
-    /// In integers as long as it takes.
-    Exact,
-}
-
-impl Certainty {
-    /// What it means.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Certainty::AtOnce => "certain at once",
-            Certainty::TwoPart => "certain with twice the digits",
-            Certainty::Exact => "too close to call: worked out exactly",
-        }
-    }
 }
 
 /// Works out the robust method.

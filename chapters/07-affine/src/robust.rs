@@ -38,12 +38,11 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
+use math::{Certainty, Degenerate, Hit, Ray3, Real, Span, Vector};
 use quadric::robust::Verdict;
 
 use crate::{Deformed, Found, Hit3};
 
-pub use quadric::robust::Certainty;
 pub(crate) use stored::Stored;
 
 /// Every number of the robust method in `f64`, rounded for the reader.

@@ -34,6 +34,6 @@ pub use ray::{Ray2, Ray3};
 pub use real::{Real, Vector};
 pub use roots::Roots;
 pub use span::Span;
-pub use sure::{Quadratic, Sure};
+pub use sure::{Certainty, Quadratic, Sure};
 pub use two_part::TwoPart;
 pub use wide::Wide;

@@ -88,6 +88,28 @@ pub struct Quadratic<N> {
     pub d: N,
 }
 
+/// With what kind of number an answer was reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Certainty {
+    /// In plain `f64`: by more than its rounding could make up for.
+    AtOnce,
+    /// With twice the digits.
+    TwoPart,
+    /// In integers as long as it takes.
+    Exact,
+}
+
+impl Certainty {
+    /// What it means.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Certainty::AtOnce => "certain at once",
+            Certainty::TwoPart => "certain with twice the digits",
+            Certainty::Exact => "too close to call: worked out exactly",
+        }
+    }
+}
+
 impl Sure for Exact {
     fn of(x: f64) -> Exact {
         Exact::new(x)

@@ -14,10 +14,10 @@
 //! One bound for all, 16u \|d\| (\|e1\| \|e2\| + \|A\| (\|e1\| + \|e2\|)), is enough for the verdict of nearly all rays. It
 //! grows with the edges, not with the distance alone, for the volumes are taken from the edges: d · (C × A) is d · (e2 × A).
 
-use math::{Ray3, Real, Vector};
+use math::{Certainty, Ray3, Real, Vector};
 
 use super::correction::{Solution, corrected};
-use super::{Certainty, Passage, Robust};
+use super::{Passage, Robust};
 use crate::Triangle;
 
 /// u, the relative error of one operation.

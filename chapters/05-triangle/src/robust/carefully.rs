@@ -5,9 +5,9 @@
 
 use std::cmp::Ordering;
 
-use math::{Bounded, Exact, Ray3, Real, Sure, TwoPart, Vector, Wide};
+use math::{Bounded, Certainty, Exact, Ray3, Real, Sure, TwoPart, Vector, Wide};
 
-use super::{Certainty, Passage, Robust};
+use super::{Passage, Robust};
 use crate::{Triangle, area};
 
 /// A ray and a triangle in `f64`, which holds every `f32`.

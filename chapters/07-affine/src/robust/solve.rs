@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use math::{Bounded, Exact, Quadratic, Ray3, Real, Sure, TwoPart, Wide};
-use quadric::robust::{Certainty, Place, Verdict};
+use math::{Bounded, Certainty, Exact, Quadratic, Ray3, Real, Sure, TwoPart, Wide};
+use quadric::robust::{Place, Verdict};
 use quadric::{Part, Shape};
 
 use super::corrected::{Corrected, corrected};

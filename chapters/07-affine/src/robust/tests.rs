@@ -1,9 +1,9 @@
 //! Closed forms by hand, and the ends of the range.
 
 use glam::DVec3;
-use math::{Ray3, Span};
+use math::{Certainty, Ray3, Span};
 
-use super::{Certainty, robust};
+use super::robust;
 use crate::{Affine, Deformed, Matrix3, Object};
 
 fn deformed(object: Object, rows: [[f64; 3]; 3], t: [f64; 3]) -> Deformed<f64> {
