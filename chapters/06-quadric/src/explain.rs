@@ -137,8 +137,8 @@ fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
     section
         .step("verdict", "by signs alone", Value::text(verdict(work.verdict)))
         .note(work.certainty.meaning());
-    if let Some(t) = work.t {
-        section.number("λ*", formula(work), t).note(work.t_certainty.meaning());
+    if let Some(lambda) = work.lambda {
+        section.number("λ*", formula(work), lambda).note(work.lambda_certainty.meaning());
     }
 }
 

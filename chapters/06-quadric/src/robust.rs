@@ -8,7 +8,7 @@
 //!
 //! Here no point is tested. [`Line::verdict`] asks for signs, of numbers that are sums and products of what was
 //! given: is the origin inside, is f below zero where the line crosses a plane, does it fall or rise there, is D
-//! below zero? That tells which part is met; then [`Line::t`] works out one λ, as a quotient for a cap and as a
+//! below zero? That tells which part is met; then [`Line::lambda`] works out one λ, as a quotient for a cap and as a
 //! root without cancellation for the wall. Both are written once, for any kind of number that knows its error
 //! ([`math::Sure`]): plain `f64` first, twice the digits next, integers as long as it takes last.
 
@@ -37,9 +37,9 @@ pub struct Robust<R: Real> {
     /// With what kind of number the verdict was reached.
     pub certainty: Certainty,
     /// λ ≥ 0 of the part that is met, off by less than a unit of its last digit; `None` for a miss.
-    pub t: Option<R>,
-    /// With what kind of number t was worked out.
-    pub t_certainty: Certainty,
+    pub lambda: Option<R>,
+    /// With what kind of number λ was worked out.
+    pub lambda_certainty: Certainty,
 }
 
 /// Works out the robust method.
@@ -50,8 +50,8 @@ pub fn robust<R: Real>(ray: &Ray3<R>, shape: Shape) -> Robust<R> {
         Some(verdict) => (verdict, Certainty::AtOnce),
         None => careful_verdict(shape, o, d),
     };
-    let (t, t_certainty) = t_of(shape, o, d, verdict);
-    Robust { ray: *ray, shape, verdict, certainty, t, t_certainty }
+    let (lambda, lambda_certainty) = lambda_of(shape, o, d, verdict);
+    Robust { ray: *ray, shape, verdict, certainty, lambda, lambda_certainty }
 }
 
 /// The verdict with twice the digits, or exactly.
@@ -71,29 +71,29 @@ fn careful_verdict(shape: Shape, o: [f64; 3], d: [f64; 3]) -> (Verdict, Certaint
 
 /// λ of the verdict: for f32 plain f64 is nearly always enough, for f64 twice the digits.
 #[inline(always)]
-fn t_of<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> (Option<R>, Certainty) {
+fn lambda_of<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> (Option<R>, Certainty) {
     if verdict == Verdict::Misses {
         return (None, Certainty::AtOnce);
     }
     if R::DIGITS < f64::MANTISSA_DIGITS
-        && let Some(t) = Line::<Bounded<f64>>::beside_unit(shape, o, d).t(verdict)
+        && let Some(lambda) = Line::<Bounded<f64>>::beside_unit(shape, o, d).lambda(verdict)
     {
-        return (Some(t), Certainty::AtOnce);
+        return (Some(lambda), Certainty::AtOnce);
     }
-    if let Some(t) = Line::<Bounded<TwoPart>>::beside_unit(shape, o, d).t(verdict) {
-        return (Some(t), Certainty::TwoPart);
+    if let Some(lambda) = Line::<Bounded<TwoPart>>::beside_unit(shape, o, d).lambda(verdict) {
+        return (Some(lambda), Certainty::TwoPart);
     }
-    (exact_t(shape, o, d, verdict), Certainty::Exact)
+    (exact_lambda(shape, o, d, verdict), Certainty::Exact)
 }
 
 #[cold]
 #[inline(never)]
-fn exact_t<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> Option<R> {
-    Line::<Exact>::beside_unit(shape, o, d).t(verdict)
+fn exact_lambda<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> Option<R> {
+    Line::<Exact>::beside_unit(shape, o, d).lambda(verdict)
 }
 
 impl<R: Real> Robust<R> {
-    /// A, B, C and D of the wall in plain `f64`, for a reader: f(o + λ d) = A λ² − 2 B λ + C.
+    /// A, B, C and D of the wall, rounded for a reader: f(o + λ d) = A λ² − 2 B λ + C.
     pub fn quadratic(&self) -> math::Quadratic<f64> {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let math::Quadratic { a, b, c, d } =
@@ -107,12 +107,12 @@ impl<R: Real> Robust<R> {
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.ray.check()?;
-        let (Some(part), Some(t)) = (self.verdict.part(), self.t) else { return Ok(None) };
-        let (part, t) = if t < span.min { self.exit() } else { (part, t) };
-        if !span.contains(t) {
+        let (Some(part), Some(lambda)) = (self.verdict.part(), self.lambda) else { return Ok(None) };
+        let (part, lambda) = if lambda < span.min { self.exit() } else { (part, lambda) };
+        if !span.contains(lambda) {
             return Ok(None);
         }
-        let t = t + R::from(0.0); // minus zero is zero
+        let t = lambda + R::from(0.0); // minus zero is zero
         let point = if t.is_finite() { self.ray.at(t) } else { self.far_point() };
         Ok(Some(Hit { t, point, normal: self.shape.normal::<R>(part, point) }))
     }
@@ -125,8 +125,8 @@ impl<R: Real> Robust<R> {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let longest = d.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
         let longer = d.map(|component| scaled(component, -exponent_of(longest)));
-        let (t, _) = t_of::<f64>(self.shape, o, longer, self.verdict);
-        let point = std::array::from_fn(|axis| R::round_from(o[axis] + t.unwrap_or(0.0) * longer[axis]));
+        let (lambda, _) = lambda_of::<f64>(self.shape, o, longer, self.verdict);
+        let point = std::array::from_fn(|axis| R::round_from(o[axis] + lambda.unwrap_or(0.0) * longer[axis]));
         let [x, y, z] = point;
         R::vec3(x, y, z)
     }
@@ -137,12 +137,13 @@ impl<R: Real> Robust<R> {
     fn exit(&self) -> (Part, R) {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let line = Line::<Bounded<TwoPart>>::beside_unit(self.shape, o, d);
-        let with_two_parts = line.exit().and_then(|place| Some((place.part, line.t_where_f_rises(place)?)));
+        let with_two_parts =
+            line.exit().and_then(|place| Some((place.part, line.lambda_where_f_rises(place)?)));
         with_two_parts.unwrap_or_else(|| {
             let line = Line::<Exact>::beside_unit(self.shape, o, d);
             let place = line.exit();
-            let t = place.and_then(|place| line.t_where_f_rises(place));
-            (place.map_or(Part::Wall, |place| place.part), t.unwrap_or(-R::INFINITY))
+            let lambda = place.and_then(|place| line.lambda_where_f_rises(place));
+            (place.map_or(Part::Wall, |place| place.part), lambda.unwrap_or(-R::INFINITY))
         })
     }
 }

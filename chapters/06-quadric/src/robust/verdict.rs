@@ -191,30 +191,30 @@ impl<N: Sure> Line<N> {
     /// λ of a verdict to the precision of R, off by less than a unit of its last digit, and never below zero. `None` for a
     /// miss, and where the numbers are not good enough for that, which [`math::Exact`] is.
     #[inline(always)]
-    pub fn t<R: Real>(&self, verdict: Verdict) -> Option<R> {
+    pub fn lambda<R: Real>(&self, verdict: Verdict) -> Option<R> {
         match verdict {
             Verdict::Misses => None,
             Verdict::Starts(_) => Some(R::from(0.0)),
-            Verdict::Enters(place) => self.t_where_f_falls(place),
-            Verdict::Leaves(place) => self.t_where_f_rises(place),
+            Verdict::Enters(place) => self.lambda_where_f_falls(place),
+            Verdict::Leaves(place) => self.lambda_where_f_rises(place),
         }
     }
 
     /// λ of a place where the line enters.
     #[inline(always)]
-    pub fn t_where_f_falls<R: Real>(&self, place: Place) -> Option<R> {
-        self.t_at(place, -1.0)
+    pub fn lambda_where_f_falls<R: Real>(&self, place: Place) -> Option<R> {
+        self.lambda_at(place, -1.0)
     }
 
     /// λ of a place where the line leaves.
     #[inline(always)]
-    pub fn t_where_f_rises<R: Real>(&self, place: Place) -> Option<R> {
-        self.t_at(place, 1.0)
+    pub fn lambda_where_f_rises<R: Real>(&self, place: Place) -> Option<R> {
+        self.lambda_at(place, 1.0)
     }
 
     /// f falls through the root (B − √D) / A and rises through (B + √D) / A, whatever the sign of A: f′ is 2 (A λ − B).
     #[inline(always)]
-    fn t_at<R: Real>(&self, place: Place, s: f64) -> Option<R> {
+    fn lambda_at<R: Real>(&self, place: Place, s: f64) -> Option<R> {
         if let Some(plane) = place.plane {
             return N::quotient(&self.rise_to(plane), &self.d[2]);
         }
