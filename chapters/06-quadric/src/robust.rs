@@ -20,7 +20,7 @@ use math::{Bounded, Certainty, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart
 
 use crate::{Hit3, Part, Shape};
 
-pub use line::Line;
+pub use line::{Line, rise_to};
 pub use verdict::{Place, Verdict};
 
 /// Every number of the robust method. What is worked out with more digits is rounded for the reader.

@@ -34,6 +34,17 @@ pub(super) struct Crossing<N> {
     radius: N,
 }
 
+/// How far the plane of a part of a solid s times the unit one is above the height z: s − z, −s − z or −z. The wall has no
+/// plane: that of z = 0 is taken.
+#[inline(always)]
+pub fn rise_to<N: Sure>(part: Part, s: N, z: N) -> N {
+    match part {
+        Part::Top | Part::Apex => s - z,
+        Part::Bottom => -(s + z),
+        Part::Base | Part::Wall => -z,
+    }
+}
+
 impl<N: Sure> Line<N> {
     /// The line o + λ d beside the solid of that shape, s times the unit one. s must be greater than zero, d not zero.
     #[inline(always)]
@@ -114,15 +125,10 @@ impl<N: Sure> Line<N> {
         }
     }
 
-    /// How far the plane of a part is above the origin: z s − o_z. The wall has no plane: that of z = 0 is taken.
+    /// How far the plane of a part is above the origin.
     #[inline(always)]
     pub fn rise_to(&self, part: Part) -> N {
-        let (s, z) = (self.s.clone(), self.o[2].clone());
-        match part {
-            Part::Top | Part::Apex => s - z,
-            Part::Bottom => -(s + z),
-            Part::Base | Part::Wall => -z,
-        }
+        rise_to(part, self.s.clone(), self.o[2].clone())
     }
 
     /// The crossing with the plane of a part, where d_z is not zero; `None` in doubt.

@@ -11,8 +11,7 @@
 //! is so small that a few of its digits do for all of λ0 + δ. The same step leads from q to the point on the surface.
 
 use math::{Bounded, Ray3, Real, Sure, TwoPart, Vector};
-use quadric::Part;
-use quadric::robust::Place;
+use quadric::robust::{Place, rise_to};
 
 use super::line::Line;
 use super::stored::leading;
@@ -39,14 +38,7 @@ pub(super) fn corrected<R: Real>(
 
     let (d, s) = (&line.d, deformed.stored.fine.s);
     let delta = match place.plane {
-        Some(plane) => {
-            let above = match plane {
-                Part::Top | Part::Apex => q[2] - s,
-                Part::Bottom => q[2] + s,
-                Part::Base | Part::Wall => q[2],
-            };
-            -leading(above) / d[2]
-        }
+        Some(plane) => leading(rise_to(plane, s, q[2])) / d[2],
         None => {
             let rest = leading(surface(object, &q, &s));
             let (a, b) = slopes(object, &q.map(leading), d, &line.s);

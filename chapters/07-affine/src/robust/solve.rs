@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use math::{Bounded, Certainty, Exact, Quadratic, Ray3, Real, Sure, TwoPart, Wide};
-use quadric::robust::{Place, Verdict};
+use quadric::robust::{Place, Verdict, rise_to};
 use quadric::{Part, Shape};
 
 use super::corrected::{Corrected, corrected};
@@ -19,7 +19,7 @@ pub(super) struct Solved<R> {
     pub(super) crossing: Option<Crossing<R>>,
 }
 
-/// How the solids are solved: their equation by kind.
+/// The solid of chapter 06 that it is; `None` for the others.
 fn shape_of(object: Object) -> Option<Shape> {
     match object {
         Object::Cylinder => Some(Shape::Cylinder),
@@ -74,15 +74,10 @@ impl<N: Sure> Line<N> {
         N::root(&quadratic, if enters { -1.0 } else { 1.0 })
     }
 
-    /// z s − o″_z: how far the plane of a part is above the origin.
+    /// How far the plane of a part is above o″.
     #[inline(always)]
     pub(super) fn rise_to(&self, part: Part) -> N {
-        let (s, z) = (self.s.clone(), self.o[2].clone());
-        match part {
-            Part::Top | Part::Apex => s - z,
-            Part::Bottom => -(s + z),
-            Part::Base | Part::Wall => -z,
-        }
+        rise_to(part, self.s.clone(), self.o[2].clone())
     }
 }
 
