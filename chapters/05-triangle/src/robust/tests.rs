@@ -90,15 +90,19 @@ fn nothing_slips_between_two_triangles() {
     }
 }
 
+/// (p̄1 − ā) · n and d · n, exactly.
+fn exactly(ray: &Ray3<f64>, triangle: &Triangle<f64>) -> [Exact; 2] {
+    let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
+    let corners = triangle.corners().map(Vector::in_f64::<3>);
+    let n = crate::area::normal::<Exact>(corners);
+    let to_p1: [Exact; 3] = std::array::from_fn(|axis| Exact::difference(corners[0][axis], o[axis]));
+    [Exact::dot(&to_p1, &n), Exact::dot(&d.map(Exact::new), &n)]
+}
+
 /// λ is as near as a neighbor to (p̄1 − ā) · n / d · n: on either side of it the exact equation has another sign.
 fn assert_nearest(work: &Robust<f64>) {
     let Some(lambda) = work.lambda else { return };
-    let [o, d] = [work.ray.origin, work.ray.direction].map(Vector::in_f64::<3>);
-    let corners = work.triangle.corners().map(Vector::in_f64::<3>);
-    let n = crate::area::normal::<Exact>(corners);
-    let to_p1: [Exact; 3] = std::array::from_fn(|axis| Exact::difference(corners[0][axis], o[axis]));
-    let above = Exact::dot(&to_p1, &n);
-    let rise = Exact::dot(&d.map(Exact::new), &n);
+    let [above, rise] = exactly(&work.ray, &work.triangle);
     let left = |lambda: f64| (above.clone() - Exact::new(lambda) * rise.clone()).sign().unwrap();
     let [lower, upper] = [left(lambda.next_down()), left(lambda.next_up())];
     assert!(lower != upper && lower != Ordering::Equal && upper != Ordering::Equal, "{work:?}");
@@ -136,9 +140,12 @@ fn the_plain_quotient_is_not_enough() {
         let origin = numbers.vector() * 10.0;
         let ray = Ray3::<f64>::new(origin, target - origin);
         let triangle = Triangle::<f64> { p1: a, p2: b, p3: c };
-        let (plain, work) = (crate::matrix(&ray, &triangle).lambda, robust(&ray, &triangle));
-        if let (Some(lambda), Certainty::AtOnce) = (work.lambda, work.certainty) {
-            worst = worst.max(plain.to_bits().abs_diff(lambda.to_bits()));
+        let work = robust(&ray, &triangle);
+        if work.lambda.is_some() && work.certainty == Certainty::AtOnce {
+            let [above, rise] = exactly(&ray, &triangle);
+            let exact: f64 = Exact::quotient(&above, &rise).unwrap();
+            let plain = crate::matrix(&ray, &triangle).lambda;
+            worst = worst.max(plain.to_bits().abs_diff(exact.to_bits()));
         }
     }
     assert!(worst > 100, "{worst}");
