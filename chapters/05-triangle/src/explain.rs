@@ -101,9 +101,16 @@ fn matrix_steps<R: Real>(section: &mut Section, work: &Matrix<R>, crosses: bool)
 }
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
+    for (symbol, formula, corner) in [
+        ("A", "p̄1 − ā", work.triangle.p1),
+        ("B", "p̄2 − ā", work.triangle.p2),
+        ("C", "p̄3 − ā", work.triangle.p3),
+    ] {
+        section.vector::<R>(symbol, formula, plain::<R>(corner - work.ray.origin));
+    }
     let [u, v, w] = work.volumes;
     section
-        .step("u", "d⃗ · (B × C), A = p̄1 − ā …", Value::F64(u))
+        .step("u", "d⃗ · (B × C)", Value::F64(u))
         .note(volume(u, "p̄2p̄3"))
         .step("v", "d⃗ · (C × A)", Value::F64(v))
         .note(volume(v, "p̄3p̄1"))
@@ -142,8 +149,8 @@ fn half_plane<R: Real>(side: R) -> &'static str {
 
 fn volume(volume: f64, edge: &str) -> String {
     match () {
-        _ if volume > 0.0 => format!("> 0: passes {edge} on its one side"),
-        _ if volume < 0.0 => format!("< 0: passes {edge} on its other side"),
+        _ if volume > 0.0 => format!("> 0: passes right of {edge}, seen along d⃗"),
+        _ if volume < 0.0 => format!("< 0: passes left of {edge}, seen along d⃗"),
         _ => format!("= 0: through the line of {edge}"),
     }
 }
@@ -166,9 +173,19 @@ fn outcome<R: Real>(section: &mut Section, work: &Working<R>, triangle: &Triangl
                 .number("residual", "(x_hit − p̄1) · n", residual(&hit, triangle));
         }
         (_, how) => {
-            let why = how.map_or("outside of an edge, or behind", Parallel::reason);
+            let missed = if is_inside(work) { "behind the view plane" } else { "outside of an edge" };
+            let why = how.map_or(missed, Parallel::reason);
             section.step("x_hit", "ā + λ d⃗", Value::text("none")).note(why);
         }
+    }
+}
+
+/// Whether the line of the ray passes through the triangle, by the method's own test.
+fn is_inside<R: Real>(work: &Working<R>) -> bool {
+    match work {
+        Working::HalfPlanes(work) => work.is_inside(),
+        Working::Matrix(work) => work.is_inside(),
+        Working::Robust(work) => work.lambda.is_some(),
     }
 }
 

@@ -69,14 +69,19 @@ impl<R: Real> HalfPlanes<R> {
         (alpha.is_finite() && beta.is_finite()).then_some((alpha, beta))
     }
 
+    /// Whether x is in all three half-planes. They say nothing of λ*.
+    #[inline]
+    pub fn is_inside(&self) -> bool {
+        self.sides.iter().all(|&side| side >= R::from(0.0))
+    }
+
     /// The hit, where its t = λ* lies in `span` and the point in all three half-planes.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         if try_parallel(&self.ray, &self.triangle)?.is_some() {
             return Ok(None);
         }
-        let is_inside = self.sides.iter().all(|&side| side >= R::from(0.0));
-        if !(is_inside && span.contains(self.lambda)) {
+        if !(self.is_inside() && span.contains(self.lambda)) {
             return Ok(None);
         }
         let t = self.lambda + R::from(0.0); // minus zero is zero
