@@ -91,9 +91,11 @@ fn decision<R: Real>(work: &Notes<R>) -> &'static str {
         _ if work.a == zero && work.b == zero => "A = B = 0: no λ changes f, no root",
         _ if work.a == zero => "A = 0: linear, one root",
         _ if work.d < zero => "< 0: the line does not meet the wall",
-        _ if work.d == zero && work.shape == Shape::Cone => "= 0: it touches the wall, or passes the apex",
+        _ if work.d == zero && work.shape == Shape::Cone => {
+            "= 0: it touches the wall, or passes through the apex"
+        }
         _ if work.d == zero => "= 0: the line touches the wall",
-        _ if work.a < zero => "> 0 and A < 0: it meets either half of the double cone once",
+        _ if work.a < zero => "> 0 and A < 0: it meets each half of the double cone once",
         _ => "> 0: the line meets the wall twice",
     }
 }

@@ -107,19 +107,28 @@ fn solid<R: Real>(section: &mut Section, work: &quadric::Notes<R>) {
         .number("C′", c, work.c)
         .note("the wall: A′ λ² + 2 B′ λ + C′ = 0")
         .number("D′", "B′² − A′ C′", work.d);
-    let span = Span::ahead();
+    let zero = R::from(0.0);
+    section.note(match () {
+        _ if work.a == zero => "A′ = 0: linear, one root or none",
+        _ if work.d > zero => "> 0: the line meets the wall twice",
+        _ if work.d == zero => "= 0: the line touches the wall",
+        _ => "< 0: the line does not meet the wall",
+    });
+    let roots = match work.a == zero {
+        true => ["−C′ / 2B′", ""],
+        false => ["−B′/A′ + √D′/A′", "−B′/A′ − √D′/A′"],
+    };
     for (place, candidate) in work.candidates().iter().enumerate() {
-        let (symbol, formula) = match (candidate.part.height(), place) {
-            (None, 0) => ("λ1".to_string(), "−B′/A′ + √D′/A′".to_string()),
-            (None, _) => ("λ2".to_string(), "−B′/A′ − √D′/A′".to_string()),
-            (Some(height), _) => {
-                let height = Value::number(height).to_text();
-                (format!("λ_{}", candidate.part.name()), format!("({height} − a′_z) / d′_z"))
-            }
+        let (symbol, formula) = match candidate.part {
+            Part::Wall if place == 0 => ("λ1", roots[0]),
+            Part::Wall => ("λ2", roots[1]),
+            Part::Top | Part::Apex => ("λ_top", "(1 − a′_z) / d′_z"),
+            Part::Bottom => ("λ_bottom", "(−1 − a′_z) / d′_z"),
+            Part::Base => ("λ_base", "−a′_z / d′_z"),
         };
         section
-            .step(&symbol, &formula, Value::maybe(candidate.lambda))
-            .note(work.fate(place, span).meaning());
+            .step(symbol, formula, Value::maybe(candidate.lambda))
+            .note(work.fate(place, Span::ahead()).meaning());
     }
 }
 
