@@ -19,7 +19,8 @@ pub fn radius<R: Real>(z: R) -> R {
     R::from(0.5) * (R::from(1.0) - z)
 }
 
-/// The nearest hit in `span` of the printed surface with the base under it, found as the notes find theirs.
+/// The nearest hit in `span` of the printed surface with the base under it, found as the notes find theirs; `None` for a
+/// miss, [`Degenerate`] for a ray that asks nothing.
 pub fn hit<R: Real>(ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
     ray.check()?;
     let ([a_x, a_y, a_z], [d_x, d_y, d_z]) = (R::xyz(ray.origin), R::xyz(ray.direction));

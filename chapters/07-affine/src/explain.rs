@@ -112,7 +112,7 @@ fn normals<R: Real>(transcript: &mut Transcript, found: &Found<R>, deformed: &De
         .number("A⁻ᵀ n⃗ · A v⃗", "= n⃗ · A⁻¹ A v⃗ = n⃗ · v⃗", deformed_n.dot(a_v) + R::from(0.0))
         .note("0 on paper: at right angles")
         .number("A n⃗ · A v⃗", "= n⃗ · Aᵀ A v⃗", a.times(n).dot(a_v) + R::from(0.0))
-        .remark("The last is zero for every v⃗ only where A scales alike in all directions and turns.");
+        .remark("The last is zero for every n⃗ and v⃗ only where A does no more than turn, mirror and scale alike in all directions.");
 }
 
 /// To which side the normal points.

@@ -50,8 +50,8 @@ impl<R: Real> Found<R> {
         self.a_inverse_transposed_n.normalized()
     }
 
-    /// A n / ‖A n‖: n deformed as if it were a step from point to point. It is at right angles to the surface only
-    /// where A turns and scales alike in all directions.
+    /// A n / ‖A n‖: n deformed as if it were a step from point to point. It is at right angles to the surface
+    /// everywhere only where A does no more than turn, mirror and scale alike in all directions.
     pub fn wrong_normal(&self, deformed: &Deformed<R>) -> R::Vec3 {
         deformed.affine.a.times(self.n).normalized()
     }
