@@ -246,6 +246,35 @@ mod tests {
         assert_eq!((within.t, within.normal), (0.25, -DVec3::Z));
     }
 
+    /// ∇f / ‖∇f‖ is 0/0 at the apex.
+    #[test]
+    fn at_the_apex_there_is_no_gradient() {
+        let apex = DVec3::Z;
+        let gradient = Shape::Cone.half_gradient::<f64>(apex);
+        assert!(gradient == DVec3::ZERO && (gradient / gradient.length()).is_nan(), "as printed");
+        for part in [Part::Apex, Part::Wall] {
+            assert_eq!(Shape::Cone.normal::<f64>(part, apex), DVec3::Z);
+        }
+    }
+
+    /// "z ≤ 1 or z < 1" is no lower bound, and "z = 1 for the cylinder" is one cap of two (slip 24).
+    #[test]
+    fn as_printed_the_wall_has_no_lower_end_and_the_cylinder_one_cap() {
+        // by hand: across the axis at z = −2 the walls are at x = −1, and at x = −½ · 3 of the cone; z ≤ 1 keeps both
+        for (shape, t) in [(Shape::Cylinder, 2.0), (Shape::Cone, 1.5)] {
+            let below = notes(&Ray3::<f64>::new(DVec3::new(-3.0, 0.0, -2.0), DVec3::X), shape);
+            let [_, wall, ..] = below.candidates() else { panic!("{shape:?}") };
+            assert_eq!(wall.lambda, Some(t), "{shape:?}");
+            assert!(wall.point.z <= 1.0, "as printed");
+            assert_eq!(below.hit(Span::ahead()), Ok(None), "{shape:?}");
+        }
+        // by hand: up from z = −3 along the axis the caps are at λ = 2 and 4, and z = 1 alone is the farther one
+        let upward = notes(&Ray3::<f64>::new(DVec3::new(0.0, 0.0, -3.0), DVec3::Z), Shape::Cylinder);
+        let lambdas: Vec<_> = upward.candidates().iter().map(|candidate| candidate.lambda).collect();
+        assert_eq!(lambdas, [None, None, Some(4.0), Some(2.0)]);
+        assert_eq!(upward.hit(Span::ahead()).unwrap().map(|hit| hit.t), Some(2.0));
+    }
+
     /// A = 0: the equation is linear, and its root is −C / 2B (−c / b where b is the whole coefficient).
     #[test]
     fn along_the_slope_of_the_cone() {
@@ -254,5 +283,7 @@ mod tests {
         let work = notes(&ray, Shape::Cone);
         assert_eq!((work.a, work.b, work.c), (0.0, -0.5, 0.75));
         assert_eq!(work.candidates()[0].lambda, Some(0.75));
+        let as_printed = [1.0, -1.0].map(|sign| -work.b / work.a + sign * work.d.sqrt() / work.a);
+        assert!(as_printed[0].is_infinite() && as_printed[1].is_nan(), "{as_printed:?}");
     }
 }
