@@ -28,7 +28,7 @@ pub(super) fn draw<R: Real>(canvas: &mut Canvas, parts: &[Part; 3]) {
         shot_ball(canvas, &target, &view(from, to), fired.iter().copied(), 1.0);
         let leaks = fired.iter().filter(|(_, leaked)| *leaked).count();
         let middle = (part.from.0 + part.to.0) / 2.0;
-        let text = format!("{}: {leaks} of {} slip through", method.name(), fired.len());
+        let text = format!("{}: {leaks} of {} rays leak", method.name(), fired.len());
         canvas.label((middle, part.to.1 - 9.0), Anchor::Middle, 12.0, Color::BLACK, &text);
     }
 }
