@@ -28,13 +28,13 @@ pub(crate) fn section<R: Real>(
     drawing.ray(ray);
     let work = method.work(ray, shape);
     let marks = marks(&work);
-    drawing.normal(&work);
+    let green = if drawing.normal(&work) { " · green: n" } else { "" };
     drawing.candidates(&marks);
 
     let beside = slice.beside;
     let place =
         if beside == 0.0 { "through the axis".into() } else { format!("{beside:.2} beside the axis") };
-    captions(canvas, corner, ["the upright plane of the ray", &format!("z ↑, {place}")]);
+    captions(canvas, corner, ["the upright plane of the ray", &format!("z ↑, {place}{green}")]);
     list(canvas, corner, &marks);
     if let Working::Robust(work) = &work {
         let lines = [work.verdict.meaning(), work.certainty.meaning()];
@@ -146,24 +146,30 @@ impl Drawing<'_> {
         }
     }
 
-    /// The normal at the hit.
-    fn normal<R: Real>(&mut self, work: &Working<R>) {
-        let Ok(Some(hit)) = work.hit(Span::ahead()) else { return };
+    /// The normal at the hit; false where none is to be seen: it ends out of the drawing, or below its disc.
+    fn normal<R: Real>(&mut self, work: &Working<R>) -> bool {
+        let Ok(Some(hit)) = work.hit(Span::ahead()) else { return false };
         const LENGTH: f64 = 0.4;
         let (at, n) = (self.slice.flat::<R>(hit.point), self.slice.flat::<R>(hit.normal));
         let tip = (at.0 + LENGTH * n.0, at.1 + LENGTH * n.1);
         let (from, to) = (self.view.at(at), self.view.at(tip));
-        if self.area.holds(from) && self.area.holds(to) {
+        let (x, y) = (to.0 - from.0, to.1 - from.1);
+        let is_seen = self.area.holds(from) && self.area.holds(to) && x * x + y * y > DISC * DISC;
+        if is_seen {
             self.canvas.arrow(from, to, Pen::solid(Color::GREEN, 2.0));
         }
+        is_seen
     }
 }
+
+/// The radius of a candidate's disc.
+const DISC: f32 = 6.5;
 
 /// A numbered disc: filled for the hit, hollow for what was dropped.
 fn disc(canvas: &mut Canvas, (x, y): (f32, f32), number: usize, is_hit: bool) {
     let (fill, ink) = if is_hit { (Color::VERMILLION, Color::WHITE) } else { (Color::WHITE, Color::BLACK) };
-    canvas.disc((x, y), 6.5, fill);
-    canvas.circle((x, y), 6.5, Pen::solid(Color::BLACK, 1.2));
+    canvas.disc((x, y), DISC, fill);
+    canvas.circle((x, y), DISC, Pen::solid(Color::BLACK, 1.2));
     canvas.label((x, y + 3.6), Anchor::Middle, 10.0, ink, &number.to_string());
 }
 
