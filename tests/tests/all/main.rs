@@ -16,6 +16,7 @@ mod pipes;
 mod process;
 mod readme;
 mod regimes;
+mod slips;
 mod trade;
 mod transcripts;
 mod who_loses_more;
