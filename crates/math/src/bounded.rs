@@ -23,9 +23,9 @@ pub struct Bounded<T> {
 const ROUNDING: f64 = f64::EPSILON;
 /// 2^−101: one operation of [`TwoPart`] errs by 2^−102 at most.
 const ROUNDING_OF_TWO_PARTS: f64 = f64::EPSILON * f64::EPSILON * 8.0;
-/// A product below this may have lost digits below the smallest number, where no relative bound holds,
+/// A product below this may have lost digits below the smallest number, where no bound relative to the product holds.
 const SMALLEST_SAFE: f64 = 1e-290;
-/// but none above this: rounding errors of products below 1e−290 are subnormal.
+/// What such a product is off by at most: rounding errors of products below 1e−290 are subnormal.
 const VANISHED: f64 = 1e-300;
 /// The errors add up in floating point, each step rounded by 2^−53.
 const SLACK: f64 = 1.0 + 1.0 / (1u64 << 30) as f64;
