@@ -1,0 +1,87 @@
+//! Scenes read from files: plain data, and for every value the place where it stands.
+//!
+//! A scene file says what there is: a camera, lights, materials, objects. It knows no mathematics: a chapter takes
+//! from a [`Scene`] what its own model needs, and where a value means nothing to it (a matrix without an inverse, a
+//! camera that looks nowhere) it says so with [`Scene::fault`], which points at the line.
+
+mod camera;
+mod object;
+mod place;
+
+pub use camera::{Camera, Extent, Grid, Handedness, View};
+pub use object::{Mesh, Object, Shape, Transform};
+pub use place::{At, Place};
+
+/// All that a scene file says, or implies by leaving it out.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// rayTrace's maxDepth, 1 to 1000.
+    pub max_depth: u32,
+    /// What a ray sees that meets nothing, linear RGB.
+    pub background: [f64; 3],
+    /// The ambient light I_a, linear RGB.
+    pub ambient: [f64; 3],
+    /// From where the scene is seen.
+    pub camera: Camera,
+    /// The point lights, in the order of the file.
+    pub lights: Vec<Light>,
+    /// The materials, in the order of the file.
+    pub materials: Vec<Material>,
+    /// The objects, in the order of the file: on a tie the earlier one is seen.
+    pub objects: Vec<Object>,
+}
+
+/// A point light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// Where it is.
+    pub position: At<[f64; 3]>,
+    /// I_d and I_s, linear RGB, from 0 up.
+    pub intensity: [f64; 3],
+}
+
+/// How a surface answers light. Coefficients and colors are 0 to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Its name in the file; of an NFF file, the number of its `f`, from 1.
+    pub name: String,
+    /// Multiplies the ambient and the diffuse term, linear RGB.
+    pub color: [f64; 3],
+    /// r_a
+    pub ambient: f64,
+    /// r_d
+    pub diffuse: f64,
+    /// r_s
+    pub specular: f64,
+    /// α, from 0 up.
+    pub shininess: f64,
+    /// r_g
+    pub mirror: f64,
+    /// refractiveReflCoef
+    pub transmit: f64,
+    /// The index of refraction of the inside, above 0.
+    pub ior: f64,
+    /// Multiplies the color where there is one.
+    pub texture: Option<At<Texture>>,
+}
+
+/// What varies over a surface, in its (u, v).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Texture {
+    /// Two colors in turns, linear RGB.
+    Checker {
+        /// The one at (0, 0), and the other.
+        colors: [[f64; 3]; 2],
+        /// The side of a square, above 0.
+        scale: f64,
+    },
+    /// A picture, repeated.
+    Image {
+        /// Columns and rows.
+        size: (u32, u32),
+        /// Red, green and blue, row by row from the top.
+        pixels: std::sync::Arc<[[u8; 3]]>,
+        /// How much of (u, v) it covers, above 0.
+        scale: f64,
+    },
+}
