@@ -26,6 +26,7 @@ impl Chapter for Pinhole {
                       House's 3 by 5 picture, drawn over each other. A pixel that is asked for is one of a picture \
                       of that size seen through Gambetta's viewport, 1 high at distance 1; the worked example is \
                       the top left pixel of House's picture.",
+            flags: &[],
             inputs: &["width", "height", "col", "row", "left", "right", "bottom", "top", "distance"],
             words: &[],
             results: &["x", "y", "z", "reason"],
@@ -37,12 +38,11 @@ impl Chapter for Pinhole {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let grid = Grid::ALL[ask.method];
         // The worked example is the top left pixel of House's picture, with z_p = 2: its center is 3 away.
         let (size, pixel, camera) = match ask.pixel {
-            Some(pixel) => {
-                (ask.size, pixel, camera(R::from(1.0), Window::around_axis(R::from(1.0), ask.size))?)
-            }
+            Some(pixel) => (size, pixel, camera(R::from(1.0), Window::around_axis(R::from(1.0), size))?),
             None => (HOUSE_SIZE, (0, 0), camera(R::from(2.0), house_window())?),
         };
         let mut transcript = Transcript::new(&self.about(), ask);
@@ -52,7 +52,7 @@ impl Chapter for Pinhole {
         explain::two_loops::<R>(&mut transcript);
         explain::general_camera::<R>(&mut transcript)?;
         explain::viewport::<R>(&mut transcript)?;
-        Ok(Shown { transcript, picture: picture::draw::<R>(grid, ask.size)? })
+        Ok(Shown { transcript, picture: picture::draw::<R>(grid, size)?, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

@@ -29,6 +29,7 @@ impl Chapter for RayWall {
             size: (720, 480),
             picture: "A fan of rays against House's wall, each hit marked; the ray of a pixel leads from \
                       p_r to the point of the plane under it.",
+            flags: &[],
             inputs: &["ox", "oy", "dx", "dy", "front", "back"],
             words: &[],
             results: &["hit", "t", "t_out", "x", "y", "reason"],
@@ -40,8 +41,9 @@ impl Chapter for RayWall {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let method = Method::ALL[ask.method];
-        let canvas = picture::canvas(ask.size)?;
+        let canvas = picture::canvas(size)?;
         let point = |(x, y)| R::vec2(R::round_from(x), R::round_from(y));
         let origin = point(ORIGIN);
         let direction = match ask.pixel {
@@ -53,7 +55,7 @@ impl Chapter for RayWall {
         let mut transcript = Transcript::new(&self.about(), ask);
         explain(&mut transcript, method, &ray);
         every_case::<R>(&mut transcript, method);
-        Ok(Shown { transcript, picture: picture::draw(canvas, method, &ray) })
+        Ok(Shown { transcript, picture: picture::draw(canvas, method, &ray), ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

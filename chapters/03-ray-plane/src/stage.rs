@@ -22,6 +22,7 @@ impl Chapter for RayPlane {
             size: (640, 402),
             picture: "A checkered ground plane to the horizon, one ray a pixel. On the horizon n · u_r = 0; \
                       just below it t grows without bound, and one ray a pixel no longer tells the tiles apart.",
+            flags: &[],
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "px", "py", "pz", "nx", "ny", "nz"],
             words: &[],
             results: &["hit", "t", "x", "y", "z", "distance", "reason"],
@@ -34,11 +35,12 @@ impl Chapter for RayPlane {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let method = Method::ALL[ask.method];
-        let camera = camera::<R>(ask.size)?;
+        let camera = camera::<R>(size)?;
         // The worked example looks an eighth to the right and a quarter down.
         let ray = match ask.pixel {
-            Some(pixel) => pixel_ray(&camera, ask.size, pixel),
+            Some(pixel) => pixel_ray(&camera, size, pixel),
             None => camera.ray((R::from(0.125), R::from(-0.25))),
         };
         let mut transcript = Transcript::new(&self.about(), ask);
@@ -46,7 +48,7 @@ impl Chapter for RayPlane {
         three_signs::<R>(&mut transcript);
         three_questions::<R>(&mut transcript, method);
         to_the_horizon::<R>(&mut transcript, method);
-        Ok(Shown { transcript, picture: picture::draw(method, ask.size, &ray)? })
+        Ok(Shown { transcript, picture: picture::draw(method, size, &ray)?, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

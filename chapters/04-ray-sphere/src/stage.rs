@@ -22,6 +22,7 @@ impl Chapter for RaySphere {
             size: (540, 540),
             picture: "Gambetta's three spheres on his lattice, one ray a pixel, seen from above and from \
                       the right in the corners; the rays that touch a sphere exactly are ringed.",
+            flags: &[],
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"],
             words: &[],
             results: &["hit", "t", "t_out", "x", "y", "z", "nx", "ny", "nz", "reason"],
@@ -32,28 +33,29 @@ impl Chapter for RaySphere {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let method = Method::ALL[ask.method];
-        let camera = camera::<R>(ask.size)?;
+        let camera = camera::<R>(size)?;
         let spheres = three_spheres::<R>();
 
         // The worked example looks at the center of the red sphere: V = (0, −1/3, 1), a third of the
         // viewport below the middle.
         let third = R::from(-1.0) / R::from(3.0);
         let ray = match ask.pixel {
-            Some(pixel) => pixel_ray(&camera, ask.size, pixel),
+            Some(pixel) => pixel_ray(&camera, size, pixel),
             None => camera.ray((R::from(0.0), third)),
         };
         let index = subject(method, &ray, &spheres);
-        let tangents = tangents(ask.size);
+        let tangents = tangents(size);
         let mut transcript = Transcript::new(&self.about(), ask);
         explain::explain(&mut transcript, method, &ray, &spheres[index]);
         explain::trace_ray(&mut transcript, method, &ray, &spheres);
         explain::both_roots(&mut transcript, &ray, &spheres[index]);
         explain::ranges(&mut transcript, &ray);
-        explain::tangents(&mut transcript, &camera, ask.size, &tangents);
+        explain::tangents(&mut transcript, &camera, size, &tangents);
 
-        let picture = picture::draw(method, ask.size, &camera, &ray, &tangents)?;
-        Ok(Shown { transcript, picture })
+        let picture = picture::draw(method, size, &camera, &ray, &tangents)?;
+        Ok(Shown { transcript, picture, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

@@ -22,6 +22,7 @@ impl Chapter for RayTriangle {
             picture: "A triangle in its barycentric colors; a concave star with test rays, and a pentagram by even-odd and \
                       by winding; and a closed ball shot from inside at its edges: where a ray slips through, there is \
                       a large red dot.",
+            flags: &[],
             inputs: &[
                 "ox", "oy", "oz", "dx", "dy", "dz", "ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz",
             ],
@@ -36,11 +37,12 @@ impl Chapter for RayTriangle {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let method = Method::ALL[ask.method];
-        let ray = picture::ray_of::<R>(ask.size, ask.pixel)?;
+        let ray = picture::ray_of::<R>(size, ask.pixel)?;
         let mut transcript = Transcript::new(&self.about(), ask);
         explain::explain(&mut transcript, method, &ray);
-        Ok(Shown { transcript, picture: picture::draw::<R>(method, ask.size, ask.pixel)? })
+        Ok(Shown { transcript, picture: picture::draw::<R>(method, size, ask.pixel)?, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

@@ -23,6 +23,7 @@ impl Chapter for Quadric {
             picture: "The capped cylinder and the cone, one ray a pixel, shaded by their normals; the cone as the page prints it, \
                       which is half an ellipsoid, beside the true one. Below each the upright plane of the explained ray, with its \
                       candidates kept and dropped.",
+            flags: &[],
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "shape"],
             words: &[("shape", &["cylinder", "cone"])],
             results: &["hit", "t", "x", "y", "z", "nx", "ny", "nz", "reason"],
@@ -34,8 +35,9 @@ impl Chapter for Quadric {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let method = Method::ALL[ask.method];
-        let explained = Explained::<R>::new(ask.size, ask.pixel)?;
+        let explained = Explained::<R>::new(size, ask.pixel)?;
         let mut transcript = Transcript::new(&self.about(), ask);
         // Both worked examples, or the one ray that was asked for.
         for shape in Shape::ALL {
@@ -46,7 +48,7 @@ impl Chapter for Quadric {
         explain::tries::<R>(&mut transcript, ask.precision);
         explain::along_the_slope::<R>(&mut transcript);
         explain::as_printed(&mut transcript, explained.of(Shape::Cone));
-        Ok(Shown { transcript, picture: picture::draw(method, ask.size, &explained)? })
+        Ok(Shown { transcript, picture: picture::draw(method, size, &explained)?, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

@@ -22,6 +22,7 @@ impl Chapter for Affine {
             size: (720, 480),
             picture: "The unit sphere, cylinder, cone, plane and triangle, each deformed; the squashed sphere cut open, \
                       with A⁻ᵀ n and A n drawn, and shaded by the one and by the other.",
+            flags: &[],
             inputs: &[
                 "ox", "oy", "oz", "dx", "dy", "dz", "shape", "a11", "a12", "a13", "a21", "a22", "a23", "a31",
                 "a32", "a33", "tx", "ty", "tz",
@@ -35,11 +36,12 @@ impl Chapter for Affine {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let size = ask.size_or(self.about().size)?;
         let method = Method::ALL[ask.method];
-        let camera = scene::camera::<R>(Layout::of(ask.size).window(ask.size))?;
+        let camera = scene::camera::<R>(Layout::of(size).window(size))?;
         let objects = scene::five::<R>()?;
         let ray = match ask.pixel {
-            Some(pixel) => scene::pixel_ray(&camera, ask.size, pixel),
+            Some(pixel) => scene::pixel_ray(&camera, size, pixel),
             None => scene::worked(&camera),
         };
         // What the ray meets first, else the squashed sphere, is explained.
@@ -51,8 +53,8 @@ impl Chapter for Affine {
         explain::five_rays(&mut transcript, method, camera.e, &objects);
         explain::condition::<R>(&mut transcript);
 
-        let picture = picture::draw(method, ask.size, &camera, &objects, &ray)?;
-        Ok(Shown { transcript, picture })
+        let picture = picture::draw(method, size, &camera, &objects, &ray)?;
+        Ok(Shown { transcript, picture, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

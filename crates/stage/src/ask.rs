@@ -1,8 +1,10 @@
 //! What a stage is asked, and what it answers.
 
+use std::path::PathBuf;
+
 use math::Real;
 
-use crate::{Canvas, Case, Error, Row, TradeAsk, Traded, Transcript};
+use crate::{Canvas, Case, Error, Ids, Row, TradeAsk, Traded, Transcript};
 
 /// A chapter as it is written: all that a new stage has to say.
 pub trait Chapter: Sync {
@@ -14,10 +16,13 @@ pub trait Chapter: Sync {
     /// [`Error::Request`] where the method cannot serve the request (`edges` with a single column).
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error>;
 
-    /// Answers one row of a case file in R; an invalid case is a row too.
+    /// Answers one row of a case file in R; an invalid case is a row too. A stage whose [`About::inputs`] are empty
+    /// has no case files, and is never asked.
     ///
     /// [`Error::Request`] where a field is no number, from [`Case::numbers`].
-    fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
+    fn eval<R: Real>(&self, _: &Ask, _: &Case<'_>) -> Result<Row, Error> {
+        Err(Error::Request(format!("{} has no case files", self.about().name)))
+    }
 
     /// Measures the methods and precisions against each other.
     ///
@@ -81,7 +86,9 @@ pub struct About {
     pub size: (u32, u32),
     /// What the picture shows, in one or two sentences.
     pub picture: &'static str,
-    /// The columns of a case that `eval` reads.
+    /// The flags of `show` and `trade` that not every stage has.
+    pub flags: &'static [Flag],
+    /// The columns of a case that `eval` reads; empty for a stage without case files, which has no `eval`.
     pub inputs: &'static [&'static str],
     /// Those of them that hold a word and not a number, with the words there are. Among the numbers of a case a
     /// word is its place in this list, from 0.
@@ -97,26 +104,68 @@ pub struct About {
 /// A column of words: its name, and the words that may stand in it.
 pub type Words = (&'static str, &'static [&'static str]);
 
-/// One request: which method, at which precision, about which pixel of a picture of which size.
+/// A flag that only some stages have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flag {
+    /// `--scene FILE`: another scene than the chapter's own.
+    Scene,
+    /// `--ids FILE.png`: the ids of the objects as a picture of 16-bit grays.
+    Ids,
+}
+
+impl Flag {
+    /// The name of the flag.
+    pub fn name(self) -> &'static str {
+        match self {
+            Flag::Scene => "scene",
+            Flag::Ids => "ids",
+        }
+    }
+}
+
+/// One request: which method, at which precision, about which pixel of a picture of which size.
+///
+/// What is asked when nothing is said, [`Ask::default`]: the stage's first method, f64, its own size, the worked example.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Ask {
     /// The method's place in [`About::methods`].
     pub method: usize,
     /// f32 or f64.
     pub precision: Precision,
-    /// The picture's columns and rows; neither is 0, and there are at most 2^28 pixels.
-    pub size: (u32, u32),
-    /// The pixel whose ray is explained: column and row, (0, 0) the top left, inside the picture.
+    /// The picture's columns and rows; neither is 0, and there are at most 2^28 pixels. `None`: the stage's or the
+    /// scene's own, see [`Ask::size_or`].
+    pub size: Option<(u32, u32)>,
+    /// The pixel whose ray is explained: column and row, (0, 0) the top left.
     /// `None`: the worked example of the notes.
     pub pixel: Option<(u32, u32)>,
+    /// The scene file; `None`: the chapter's own scene.
+    pub scene: Option<PathBuf>,
+}
+
+impl Ask {
+    /// The picture's size: as asked, else `own`.
+    ///
+    /// [`Error::Request`] where the pixel that is asked for lies outside such a picture.
+    pub fn size_or(&self, own: (u32, u32)) -> Result<(u32, u32), Error> {
+        let size = self.size.unwrap_or(own);
+        if let Some((col, row)) = self.pixel.filter(|&(col, row)| col >= size.0 || row >= size.1) {
+            let ((width, height), last) = (size, (size.0 - 1, size.1 - 1));
+            return Err(Error::Request(format!(
+                "pixel {col},{row} lies outside the picture of {width}x{height} pixels; the last one is {},{}",
+                last.0, last.1
+            )));
+        }
+        Ok(size)
+    }
 }
 
 /// The precision a method computes in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Precision {
     /// binary32
     F32,
     /// binary64
+    #[default]
     F64,
 }
 
@@ -139,4 +188,6 @@ pub struct Shown {
     pub transcript: Transcript,
     /// The picture, of the size that was asked for.
     pub picture: Canvas,
+    /// The ids of the objects that are seen, where the stage has [`Flag::Ids`].
+    pub ids: Option<Ids>,
 }

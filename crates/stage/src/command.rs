@@ -12,7 +12,7 @@ use crate::eval::eval;
 use crate::flags::{TRADE_PLOT, TRADE_SEED, command};
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
-use crate::{About, Ask, Error, Precision, Shown, Stage, TradeAsk, try_beside, write_picture};
+use crate::{About, Ask, Error, Flag, Precision, Shown, Stage, TradeAsk, try_beside, write_picture};
 
 /// The whole program of a stage: reads the command line, does it, and says how it ended.
 pub fn main(stage: &dyn Stage) -> ExitCode {
@@ -48,15 +48,9 @@ pub fn finish(result: Result<(), Error>) -> ExitCode {
     ExitCode::from(error.status())
 }
 
-/// The request that a stage answers when nothing is said: its first method, f64, its own size, the
-/// worked example.
-pub fn default_ask(about: &About) -> Ask {
-    Ask { method: 0, precision: Precision::F64, size: about.size, pixel: None }
-}
-
 fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> {
     let about = stage.about();
-    let ask = ask(&about, matches)?;
+    let ask = ask(&about, matches);
     let format = matches.get_one::<String>("format").map_or("text", String::as_str);
     let done = match matches.subcommand() {
         Some(("trade", matches)) => trade(stage, matches, &ask, output),
@@ -67,7 +61,11 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
         Some(("eval", matches)) => {
             eval(stage, &ask, matches.get_one::<PathBuf>("cases").map(PathBuf::as_path), output)
         }
-        _ => show(stage, &ask, matches.get_one::<PathBuf>("out"), format == "json", output),
+        _ => {
+            let out = matches.get_one::<PathBuf>("out");
+            let ids = own_file(&about, matches, Flag::Ids);
+            show(stage, &ask, out, ids.as_deref(), format == "json", output)
+        }
     };
     // What was answered before an error is still worth having.
     let flushed = output.flush().map_err(Error::from_output);
@@ -78,13 +76,21 @@ fn show(
     stage: &dyn Stage,
     ask: &Ask,
     out: Option<&PathBuf>,
+    ids: Option<&Path>,
     json: bool,
     output: &mut dyn Write,
 ) -> Result<(), Error> {
     let shown = stage.show(ask)?;
     let path = picture_path(stage, out)?;
     write_picture(&shown.picture, &path)?;
-    output.write_all(report(&shown, &path, json).as_bytes()).map_err(Error::from_output)
+    let mut said = report(&shown, &path, json);
+    if let (Some(path), Some(ids)) = (ids, &shown.ids) {
+        ids.write(path)?;
+        if !json {
+            said += &format!("ids: {}\n", path.display());
+        }
+    }
+    output.write_all(said.as_bytes()).map_err(Error::from_output)
 }
 
 /// Where the picture goes: as asked, else `out/NAME.png`, whose folder is made.
@@ -108,6 +114,7 @@ fn trade(stage: &dyn Stage, matches: &ArgMatches, ask: &Ask, output: &mut dyn Wr
         cases: matches.get_one("cases").copied(),
         seed: matches.get_one("seed").copied().unwrap_or(TRADE_SEED),
         quick: matches.get_flag("quick"),
+        scene: ask.scene.clone(),
     };
     let format = match matches.get_one::<String>("format").map(String::as_str) {
         Some("json") => TradeFormat::Json,
@@ -163,20 +170,23 @@ pub fn report(shown: &Shown, picture: &Path, json: bool) -> String {
     }
 }
 
-fn ask(about: &About, matches: &ArgMatches) -> Result<Ask, Error> {
+fn ask(about: &About, matches: &ArgMatches) -> Ask {
     let name = |flag| matches.get_one::<String>(flag).map(String::as_str);
     let method = about.methods.iter().position(|method| Some(*method) == name("method")).unwrap_or(0);
     let precision = if name("precision") == Some("f32") { Precision::F32 } else { Precision::F64 };
-    let size = matches.get_one("size").copied().unwrap_or(about.size);
-    let pixel = matches.get_one::<(u32, u32)>("pixel").copied();
-    if let Some((col, row)) = pixel.filter(|&(col, row)| col >= size.0 || row >= size.1) {
-        let ((width, height), last) = (size, (size.0 - 1, size.1 - 1));
-        return Err(Error::Request(format!(
-            "pixel {col},{row} lies outside the picture of {width}x{height} pixels; the last one is {},{}",
-            last.0, last.1
-        )));
+    Ask {
+        method,
+        precision,
+        size: matches.get_one("size").copied(),
+        pixel: matches.get_one("pixel").copied(),
+        scene: own_file(about, matches, Flag::Scene),
     }
-    Ok(Ask { method, precision, size, pixel })
+}
+
+/// The file that a flag names which not every stage has.
+fn own_file(about: &About, matches: &ArgMatches, flag: Flag) -> Option<PathBuf> {
+    let has = about.flags.contains(&flag);
+    if has { matches.get_one(flag.name()).cloned() } else { None }
 }
 
 #[cfg(test)]
@@ -216,7 +226,8 @@ mod tests {
                 methods: vec!["notes", "robust"],
                 size: (2, 2),
                 picture: "",
-                inputs: &[],
+                inputs: &["x"],
+                flags: &[],
                 words: &[],
                 results: &[],
                 trade: "",
@@ -265,6 +276,7 @@ mod tests {
             cases: None,
             seed: TRADE_SEED,
             quick: false,
+            scene: None,
         };
         assert_eq!(asked, Some(all));
         std::fs::remove_dir_all(folder).unwrap();

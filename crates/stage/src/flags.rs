@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, Command, value_parser};
 
-use crate::{About, Precision};
+use crate::{About, Flag, Precision};
 
 /// The most pixels of a picture.
 const MOST_PIXELS: u64 = 1 << 28;
@@ -49,13 +49,15 @@ pub(crate) fn command(about: &About) -> Command {
              Exit status: 0 done, 1 it could not be done, 2 the request was wrong"
         ))
         .disable_help_subcommand(true)
-        .subcommands([show, trade, eval])
+        .subcommands([show, trade])
+        .subcommands((!inputs.is_empty()).then_some(eval))
         .args(common_flags(about).map(|flag| flag.global(true)))
+        .args(about.flags.iter().map(|flag| own_flag(*flag, name).global(true)))
 }
 
 /// The flags of every verb, before it or after it. Their texts and defaults are those of `show`.
 fn common_flags(about: &About) -> [Arg; 6] {
-    let About { name, methods, size, .. } = about;
+    let About { name, methods, .. } = about;
     [
         Arg::new("method")
             .long("method")
@@ -80,7 +82,7 @@ fn common_flags(about: &About) -> [Arg; 6] {
             .value_name("WIDTHxHEIGHT")
             .allow_hyphen_values(true)
             .value_parser(parse_size)
-            .help(format!("The picture's size in pixels [default: {}x{}]", size.0, size.1)),
+            .help(format!("The picture's size in pixels [default: {}]", own_size(about))),
         Arg::new("out")
             .long("out")
             .value_name("FILE.png")
@@ -96,6 +98,26 @@ fn common_flags(about: &About) -> [Arg; 6] {
             .default_value("text")
             .help("How the steps are printed"),
     ]
+}
+
+/// The size of a picture that nobody asks for, in words.
+fn own_size(About { size, flags, .. }: &About) -> String {
+    if flags.contains(&Flag::Scene) { "the scene's".to_string() } else { format!("{}x{}", size.0, size.1) }
+}
+
+/// A flag that not every stage has.
+fn own_flag(flag: Flag, stage: &str) -> Arg {
+    let arg = Arg::new(flag.name()).long(flag.name());
+    match flag {
+        Flag::Scene => arg
+            .value_name("FILE")
+            .value_parser(value_parser!(PathBuf))
+            .help(format!("A scene, in TOML or NFF [default: the scene of {stage}]")),
+        Flag::Ids => arg
+            .value_name("FILE.png")
+            .value_parser(parse_png)
+            .help("Write the ids of the objects too, in 16-bit gray; 0 where none is hit"),
+    }
 }
 
 /// The flags of `trade`: its own, and the common ones as they are meant there. A flag of the same name

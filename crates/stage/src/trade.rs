@@ -23,12 +23,14 @@ pub struct TradeAsk {
     pub seed: u64,
     /// Seconds instead of a minute.
     pub quick: bool,
+    /// The scene file to measure in; `None`: the stage's own scenes, its regimes.
+    pub scene: Option<PathBuf>,
 }
 
 impl TradeAsk {
     /// Nothing is left out: every method, both precisions, every regime.
     pub fn is_for_all(&self) -> bool {
-        self.method.is_none() && self.precision.is_none() && self.regimes.is_empty()
+        self.method.is_none() && self.precision.is_none() && self.regimes.is_empty() && self.scene.is_none()
     }
 
     /// Whether a method is measured, by its place.

@@ -101,14 +101,14 @@ fn escape(text: &str) -> String {
 mod tests {
     use std::path::{Path, PathBuf};
 
-    use stage::{Stage, default_ask};
+    use stage::{Ask, Stage};
 
     use super::*;
     use crate::stages;
 
     fn finished(stage: &dyn Stage) -> Finished {
         let about = stage.about();
-        let shown = stage.show(&default_ask(&about)).unwrap();
+        let shown = stage.show(&Ask::default()).unwrap();
         let picture = PathBuf::from(about.name).with_extension("png");
         Finished { about, transcript: shown.transcript, picture, size: shown.picture.size() }
     }

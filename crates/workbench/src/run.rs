@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use indicatif::ProgressBar;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use stage::{About, Error, Stage, Transcript, default_ask, write_picture, write_whole};
+use stage::{About, Ask, Error, Stage, Transcript, write_picture, write_whole};
 
 use crate::gallery;
 use crate::stages::{self, widest};
@@ -81,7 +81,7 @@ impl Progress {
 
 fn show(stage: &dyn Stage, folder: &Path) -> Result<Finished, Error> {
     let about = stage.about();
-    let shown = stage.show(&default_ask(&about))?;
+    let shown = stage.show(&Ask::default())?;
     let picture = folder.join(about.name).with_extension("png");
     write_picture(&shown.picture, &picture)?;
     Ok(Finished { about, transcript: shown.transcript, picture, size: shown.picture.size() })
@@ -139,7 +139,7 @@ mod tests {
 
         let mut rest = output.as_str();
         for stage in stages::ALL {
-            let transcript = stage.show(&default_ask(&stage.about())).unwrap().transcript.to_string();
+            let transcript = stage.show(&Ask::default()).unwrap().transcript.to_string();
             rest = rest.split_once(&transcript).expect("the stages' transcripts, in order").1;
         }
         fs::remove_dir_all(folder).unwrap();

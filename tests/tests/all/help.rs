@@ -58,7 +58,15 @@ fn the_help_of_pinhole_has_the_words_of_its_report() {
 
 /// A quick run of everything.
 fn quick_run() -> TradeAsk {
-    TradeAsk { method: None, precision: None, regimes: Vec::new(), cases: None, seed: 1, quick: true }
+    TradeAsk {
+        method: None,
+        precision: None,
+        regimes: Vec::new(),
+        cases: None,
+        seed: 1,
+        quick: true,
+        scene: None,
+    }
 }
 
 /// Help is output like any other.

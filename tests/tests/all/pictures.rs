@@ -11,14 +11,14 @@
 use std::path::{Path, PathBuf};
 
 use image::{Rgb, RgbImage};
-use stage::{Stage, default_ask};
+use stage::{Ask, Stage};
 use tests::{Folder, STAGES, compare};
 
 use crate::process::run;
 
 /// The picture of a stage's default request.
 fn default_picture(stage: &dyn Stage) -> RgbImage {
-    let picture = stage.show(&default_ask(&stage.about())).unwrap().picture;
+    let picture = stage.show(&Ask::default()).unwrap().picture;
     let (width, height) = picture.size();
     RgbImage::from_raw(width, height, picture.to_rgb().unwrap()).expect("three bytes a pixel")
 }

@@ -3,17 +3,15 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
-use stage::{Ask, Precision, Section, Stage, Transcript, Value, default_ask, report};
+use stage::{Ask, Precision, Section, Stage, Transcript, Value, report};
 use tests::STAGES;
 
 use crate::assert_snapshot;
 
 /// Every request of a stage that differs from the default one in method or precision only.
 fn requests(stage: &dyn Stage) -> impl Iterator<Item = Ask> {
-    let about = stage.about();
-    let default = default_ask(&about);
-    (0..about.methods.len())
-        .flat_map(move |method| Precision::ALL.map(|precision| Ask { method, precision, ..default }))
+    (0..stage.about().methods.len())
+        .flat_map(|method| Precision::ALL.map(|precision| Ask { method, precision, ..Ask::default() }))
 }
 
 #[test]
@@ -91,7 +89,7 @@ fn every_pixel_of_a_small_picture_is_explained() {
         let name = stage.about().name;
         for ask in requests(*stage) {
             for pixel in (0..size.1).flat_map(|row| (0..size.0).map(move |col| (col, row))) {
-                let ask = Ask { size, pixel: Some(pixel), ..ask };
+                let ask = Ask { size: Some(size), pixel: Some(pixel), ..ask.clone() };
                 let mut shown = stage.show(&ask).unwrap();
                 assert_eq!(shown.picture.size(), size, "{name} {ask:?}");
                 assert!(

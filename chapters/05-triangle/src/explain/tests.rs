@@ -6,8 +6,10 @@ use crate::stage::RayTriangle;
 
 fn shown(method: Method, precision: Precision, size: (u32, u32), pixel: Option<(u32, u32)>) -> Transcript {
     let place = Method::ALL.iter().position(|&other| other == method).unwrap();
-    let mut transcript =
-        Transcript::new(&RayTriangle.about(), &Ask { method: place, precision, size, pixel });
+    let mut transcript = Transcript::new(
+        &RayTriangle.about(),
+        &Ask { method: place, precision, size: Some(size), pixel, scene: None },
+    );
     match precision {
         Precision::F32 => explain(&mut transcript, method, &ray_of::<f32>(size, pixel).unwrap()),
         Precision::F64 => explain(&mut transcript, method, &ray_of::<f64>(size, pixel).unwrap()),
