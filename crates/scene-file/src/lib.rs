@@ -5,10 +5,15 @@
 //! camera that looks nowhere) it says so with [`Scene::fault`], which points at the line.
 
 mod camera;
+mod error;
+mod excerpt;
+mod file;
 mod object;
 mod place;
+mod source;
 
 pub use camera::{Camera, Extent, Grid, Handedness, View};
+pub use error::Error;
 pub use object::{Mesh, Object, Shape, Transform};
 pub use place::{At, Place};
 

@@ -26,3 +26,9 @@ impl Place {
         self.start..self.end
     }
 }
+
+impl From<Range<usize>> for Place {
+    fn from(bytes: Range<usize>) -> Place {
+        Place { start: bytes.start, end: bytes.end }
+    }
+}
