@@ -1,0 +1,23 @@
+//! How much a scene may hold. Everything is bounded before memory is taken for it.
+
+/// Bytes of a scene in TOML. Its tree takes at most some 250 bytes of memory a byte; 65535 objects, as many as there
+/// are ids, take 6 MB.
+pub(crate) const TOML_BYTES: u64 = 8 << 20;
+
+/// Bytes of a scene in NFF.
+pub(crate) const NFF_BYTES: u64 = 256 << 20;
+
+/// Objects, materials or lights of a scene in NFF.
+pub(crate) const NFF_THINGS: usize = 1 << 22;
+
+/// Bytes of all the meshes and pictures of a scene together.
+pub(crate) const ASSET_BYTES: u64 = 256 << 20;
+
+/// Faces of all the meshes of a scene together, fans counted triangle by triangle.
+pub(crate) const FACES: usize = 1 << 23;
+
+/// Pixels of all the pictures of a scene together.
+pub(crate) const TEXELS: u64 = 1 << 26;
+
+/// Pixels of what a camera sees.
+pub(crate) const PIXELS: u64 = 1 << 28;
