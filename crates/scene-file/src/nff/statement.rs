@@ -1,0 +1,139 @@
+//! A keyword and what follows it.
+
+use crate::toml::shown;
+use crate::word::{Word, Words};
+use crate::{At, Error, Place};
+
+/// What follows a keyword. `N` is a count, `…` as many of the same as it says.
+const FORM: &[&str] = &[
+    "b r g b",
+    "v",
+    "from x y z",
+    "at x y z",
+    "up x y z",
+    "angle degrees",
+    "hither distance",
+    "resolution columns rows",
+    "l x y z [r g b]",
+    "f r g b Kd Ks shine T ior",
+    "s x y z radius",
+    "c x y z radius x y z radius",
+    "p N x y z …",
+    "pp N x y z nx ny nz …",
+];
+
+/// The keywords that begin a statement, for an error.
+pub(super) const FORMS: &str = "`v`, `b`, `l`, `f`, `s`, `c`, `p` and `pp`, or `#` before a comment";
+
+/// A keyword whose numbers are read one after another.
+pub(super) struct Statement<'a, 't> {
+    keyword: Word<'t>,
+    form: &'static str,
+    /// How many words of it were read.
+    read: usize,
+    pub(super) words: &'a mut Words<'t>,
+}
+
+impl<'a, 't> Statement<'a, 't> {
+    /// What begins with a keyword that was just read; `None` where it is none, or one that only `v` can have.
+    pub(super) fn new(keyword: Word<'t>, words: &'a mut Words<'t>) -> Option<Statement<'a, 't>> {
+        matches!(keyword.text, "b" | "v" | "l" | "f" | "s" | "c" | "p" | "pp")
+            .then(|| Statement::part(keyword, words))?
+    }
+
+    /// Any keyword, those that only `v` can have included.
+    pub(super) fn part(keyword: Word<'t>, words: &'a mut Words<'t>) -> Option<Statement<'a, 't>> {
+        let form = FORM.iter().find(|form| form.split(' ').next() == Some(keyword.text))?;
+        Some(Statement { keyword, form, read: 0, words })
+    }
+
+    /// The keyword.
+    pub(super) fn name(&self) -> &'t str {
+        self.keyword.text
+    }
+
+    /// From the keyword to the last word that was read.
+    pub(super) fn place(&self) -> Place {
+        Place { start: self.keyword.spot.place.start, end: self.words.end }
+    }
+
+    /// The next word as a finite number.
+    pub(super) fn number(&mut self) -> Result<At<f64>, Error> {
+        let word = self.word()?;
+        match word.text.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(At { value, place: word.spot.place }),
+            Ok(_) => Err(self.impossible(word.spot.place, "must be finite")),
+            Err(_) => Err(self.unexpected(word, "a number")),
+        }
+    }
+
+    /// The next word as a whole number, 0 or more.
+    pub(super) fn count(&mut self) -> Result<At<u64>, Error> {
+        let word = self.word()?;
+        match word.text.parse() {
+            Ok(value) => Ok(At { value, place: word.spot.place }),
+            Err(_) => Err(self.unexpected(word, "a whole number")),
+        }
+    }
+
+    /// A point, or a vector.
+    pub(super) fn point(&mut self) -> Result<At<[f64; 3]>, Error> {
+        let [x, y, z] = [self.number()?, self.number()?, self.number()?];
+        let place = Place { start: x.place.start, end: z.place.end };
+        Ok(At { value: [x.value, y.value, z.value], place })
+    }
+
+    /// A number from 0 up.
+    pub(super) fn not_negative(&mut self) -> Result<f64, Error> {
+        let At { value, place } = self.number()?;
+        if value >= 0.0 { Ok(value) } else { Err(self.impossible(place, "must not be below 0")) }
+    }
+
+    /// A number from 0 to 1.
+    pub(super) fn fraction(&mut self) -> Result<f64, Error> {
+        let At { value, place } = self.number()?;
+        let fits = (0.0..=1.0).contains(&value);
+        if fits { Ok(value) } else { Err(self.impossible(place, "must be 0 to 1")) }
+    }
+
+    /// Linear RGB, from 0 up.
+    pub(super) fn radiance(&mut self) -> Result<[f64; 3], Error> {
+        Ok([self.not_negative()?, self.not_negative()?, self.not_negative()?])
+    }
+
+    /// An error for the number that was just read, or the numbers up to it.
+    pub(super) fn impossible(&self, place: Place, why: &str) -> Error {
+        let spot = self.words.source.spot(place);
+        let problem = format!("`{}` {why}: {}", self.part_name(), shown(spot.text()));
+        spot.fault(&problem, &self.remedy())
+    }
+
+    fn word(&mut self) -> Result<Word<'t>, Error> {
+        self.read += 1;
+        self.words.next().ok_or_else(|| {
+            let problem =
+                format!("the file ends where `{}` of `{}` should follow", self.part_name(), self.name());
+            self.words.here().clash(&problem, &self.remedy(), self.keyword.spot, "what it belongs to")
+        })
+    }
+
+    fn unexpected(&self, word: Word, wanted: &str) -> Error {
+        let (found, part, name) = (shown(word.text), self.part_name(), self.name());
+        let problem = format!("{found} stands where `{part}` of `{name}` should, {wanted}");
+        word.spot.clash(&problem, &self.remedy(), self.keyword.spot, "what it belongs to")
+    }
+
+    fn remedy(&self) -> String {
+        format!("write `{}`", self.form)
+    }
+
+    /// What the word that was last read is in the form.
+    fn part_name(&self) -> &'static str {
+        let parts: Vec<&str> = self.form.split([' ', '[', ']']).filter(|part| !part.is_empty()).collect();
+        match parts[1..] {
+            // After a count the same names come again and again.
+            ["N", ref names @ .., "…"] if self.read > 1 => names[(self.read - 2) % names.len()],
+            ref names => names.get(self.read - 1).copied().unwrap_or_default(),
+        }
+    }
+}
