@@ -4,13 +4,21 @@
 //! from a [`Scene`] what its own model needs, and where a value means nothing to it (a matrix without an inverse, a
 //! camera that looks nowhere) it says so with [`Scene::fault`], which points at the line.
 
+mod assets;
 mod camera;
 mod error;
 mod excerpt;
 mod file;
+mod limits;
+mod nff;
+mod obj;
 mod object;
+mod picture;
 mod place;
+mod read;
 mod source;
+mod toml;
+mod word;
 
 pub use camera::{Camera, Extent, Grid, Handedness, View};
 pub use error::Error;
@@ -34,6 +42,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// The objects, in the order of the file: on a tie the earlier one is seen.
     pub objects: Vec<Object>,
+    /// The file.
+    source: std::sync::Arc<source::Source>,
 }
 
 /// A point light.

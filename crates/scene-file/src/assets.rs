@@ -1,0 +1,80 @@
+//! The files that a scene names: meshes and pictures.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::file::bytes_of;
+use crate::limits::{ASSET_BYTES, FACES, TEXELS};
+use crate::picture::Picture;
+use crate::source::{Source, Spot};
+use crate::toml::shown;
+use crate::{Error, Mesh, obj};
+
+/// The files that were read for a scene, each once, and how much more may be.
+pub(crate) struct Assets {
+    folder: PathBuf,
+    meshes: HashMap<PathBuf, Arc<Mesh>>,
+    pictures: HashMap<PathBuf, Picture>,
+    bytes_left: u64,
+    faces_left: usize,
+    texels_left: u64,
+}
+
+impl Assets {
+    /// Files whose names are relative to a folder.
+    pub(crate) fn new(folder: &Path) -> Assets {
+        Assets {
+            folder: folder.to_path_buf(),
+            meshes: HashMap::new(),
+            pictures: HashMap::new(),
+            bytes_left: ASSET_BYTES,
+            faces_left: FACES,
+            texels_left: TEXELS,
+        }
+    }
+
+    /// The mesh of an OBJ file. `asked` is where the scene names the file.
+    pub(crate) fn mesh(&mut self, name: &str, asked: Spot) -> Result<Arc<Mesh>, Error> {
+        let path = self.folder.join(name);
+        if let Some(mesh) = self.meshes.get(&path) {
+            return Ok(mesh.clone());
+        }
+        let bytes = self.bytes(&path, "an OBJ file", asked)?;
+        let source = Source::from_bytes(path.display().to_string(), bytes)?;
+        let mesh = obj::mesh(&source, self.faces_left, Some(asked))?;
+        self.faces_left -= mesh.faces.len();
+        let mesh = Arc::new(mesh);
+        self.meshes.insert(path, mesh.clone());
+        Ok(mesh)
+    }
+
+    /// The pixels of a PNG file. `asked` is where the scene names the file.
+    pub(crate) fn picture(&mut self, name: &str, asked: Spot) -> Result<Picture, Error> {
+        let path = self.folder.join(name);
+        if let Some(picture) = self.pictures.get(&path) {
+            return Ok(picture.clone());
+        }
+        let bytes = self.bytes(&path, "a PNG file", asked)?;
+        let picture = Picture::decode(&bytes, self.texels_left).map_err(|unusable| {
+            let (problem, remedy) = unusable;
+            asked.fault(&format!("cannot use {}: {problem}", shown(&path.display().to_string())), &remedy)
+        })?;
+        self.texels_left -= picture.pixels.len() as u64;
+        self.pictures.insert(path, picture.clone());
+        Ok(picture)
+    }
+
+    fn bytes(&mut self, path: &Path, kind: &str, asked: Spot) -> Result<Vec<u8>, Error> {
+        let bytes = bytes_of(path, self.bytes_left).map_err(|unread| {
+            let path = path.display().to_string();
+            let remedy = format!("name {kind}, relative to the folder of the scene");
+            match unread.wrong_file {
+                true => asked.fault(&format!("cannot read {}: {}", shown(&path), unread.problem), &remedy),
+                false => Error::failed(&path, &unread.problem, "try again"),
+            }
+        })?;
+        self.bytes_left -= bytes.len() as u64;
+        Ok(bytes)
+    }
+}

@@ -1,0 +1,73 @@
+//! A scene from a file or a text.
+
+use std::path::Path;
+
+use crate::assets::Assets;
+use crate::file::bytes_of;
+use crate::limits::{FACES, NFF_BYTES, TOML_BYTES};
+use crate::source::Source;
+use crate::{Error, Mesh, Place, Scene, nff, obj, toml};
+
+impl Scene {
+    /// Reads a scene file: Haines's NFF if its name ends in `.nff`, else TOML, with the meshes and pictures that it
+    /// names, relative to its folder.
+    ///
+    /// An [`Error`] with the place and the remedy where the file says what it should not, where there is none, or
+    /// where it cannot be read.
+    pub fn read(path: &Path) -> Result<Scene, Error> {
+        let is_nff = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("nff"));
+        let name = path.display().to_string();
+        let bytes =
+            bytes_of(path, if is_nff { NFF_BYTES } else { TOML_BYTES }).map_err(|unread| {
+                match unread.wrong_file {
+                    true => Error::unreadable(&name, &unread.problem, "name a scene file, TOML or NFF"),
+                    false => Error::failed(&name, &unread.problem, "try again"),
+                }
+            })?;
+        let source = Source::from_bytes(name, bytes)?;
+        match is_nff {
+            true => nff::scene(source),
+            false => toml::scene(source, &mut Assets::new(path.parent().unwrap_or(Path::new("")))),
+        }
+    }
+
+    /// Reads a scene in TOML that is a text: `name` is what errors call it, and the files that it names are in
+    /// `folder`. For scenes that are built in, and for tests.
+    ///
+    /// Errors as those of [`Scene::read`].
+    pub fn from_toml(name: &str, text: &str, folder: &Path) -> Result<Scene, Error> {
+        toml::scene(Source::new(name, text), &mut Assets::new(folder))
+    }
+
+    /// Reads a scene in NFF that is a text: `name` is what errors call it.
+    ///
+    /// Errors as those of [`Scene::read`].
+    pub fn from_nff(name: &str, text: &str) -> Result<Scene, Error> {
+        nff::scene(Source::new(name, text))
+    }
+
+    /// The name of its file.
+    pub fn name(&self) -> &str {
+        &self.source.name
+    }
+
+    /// The text of its file, in which a [`Place`] counts.
+    pub fn text(&self) -> &str {
+        &self.source.text
+    }
+
+    /// An error for a value that cannot be used: what is wrong with it, in half a sentence, and what to write
+    /// instead.
+    pub fn fault(&self, place: Place, problem: &str, remedy: &str) -> Error {
+        self.source.spot(place).fault(problem, remedy)
+    }
+}
+
+impl Mesh {
+    /// Reads a mesh in OBJ that is a text: `name` is what errors call it.
+    ///
+    /// An [`Error`] with the place and the remedy where the text is no OBJ with at least one face.
+    pub fn from_obj(name: &str, text: &str) -> Result<Mesh, Error> {
+        obj::mesh(&Source::new(name, text), FACES, None)
+    }
+}
