@@ -117,8 +117,15 @@ mod tests {
     use super::*;
 
     fn volleys_of(seed: u64) -> Vec<Volley> {
-        let ask =
-            TradeAsk { method: None, precision: None, regimes: Vec::new(), cases: None, seed, quick: true };
+        let ask = TradeAsk {
+            method: None,
+            precision: None,
+            regimes: Vec::new(),
+            cases: None,
+            seed,
+            quick: true,
+            scene: None,
+        };
         volleys(&ask)
     }
 

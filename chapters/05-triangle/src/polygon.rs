@@ -11,6 +11,7 @@ mod check;
 pub mod crossing;
 pub mod even_odd;
 mod newell;
+mod on_plane;
 pub mod star;
 pub mod winding;
 
@@ -116,14 +117,17 @@ impl<R: Real> Polygon<R> {
         }
     }
 
-    /// The hit in `span` by the page's rule, the plane met by chapter 03's `robust`.
+    /// The hit in `span` by the page's rule, the plane met by chapter 03's `robust`, and whether that is inside decided
+    /// exactly: two polygons that share a side let no ray through between them.
     ///
     /// `None` for a miss, which a parallel ray is too; [`Degenerate`] for a ray that is none.
     pub fn hit(&self, ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        self.hit_by(ray_plane::Method::Robust, Rule::EvenOdd, ray, span)
+        let on_plane = ray_plane::robust(ray, &self.plane).hit(span)?;
+        Ok(on_plane.filter(|_| on_plane::holds(self, Rule::EvenOdd, ray)))
     }
 
-    /// The same by another method for the plane, or another rule for the inside.
+    /// The same by another method for the plane, or another rule for the inside, asked of the point r̄(λ*) as it is
+    /// rounded.
     pub fn hit_by(
         &self,
         plane_by: ray_plane::Method,
@@ -133,6 +137,30 @@ impl<R: Real> Polygon<R> {
     ) -> Result<Option<Hit3<R>>, Degenerate> {
         let on_plane = plane_by.work(ray, &self.plane).hit(span)?;
         Ok(on_plane.filter(|hit| self.holds(rule, hit.point)))
+    }
+
+    /// Two corners of a box around all points of the plane that [`Polygon::hit`] takes for inside.
+    ///
+    /// On the axes of the outline that is the outline. Along the third the corners may be a little off the plane, so
+    /// the box goes to where the plane passes over them: x_w = p_w − (n_u (x_u − p_u) + n_v (x_v − p_v))/n_w, whose
+    /// few roundings are less than 8 units of the last digit of its largest part.
+    pub fn bounds(&self) -> [[f64; 3]; 2] {
+        let [u, v] = self.axes;
+        let w = 3 - u - v;
+        let [p, n]: [[f64; 3]; 2] = [self.plane.point, self.plane.normal].map(Vector::in_f64);
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for corner in &self.corners {
+            let x: [f64; 3] = corner.in_f64();
+            let parts = [n[u] / n[w] * (x[u] - p[u]), n[v] / n[w] * (x[v] - p[v])];
+            let off = 8.0 * f64::EPSILON * (p[w].abs() + parts[0].abs() + parts[1].abs());
+            let over = p[w] - parts[0] - parts[1];
+            for axis in 0..3 {
+                let (least, most) = if axis == w { (over - off, over + off) } else { (x[axis], x[axis]) };
+                low[axis] = low[axis].min(least).min(x[axis]);
+                high[axis] = high[axis].max(most).max(x[axis]);
+            }
+        }
+        [low, high]
     }
 }
 

@@ -1,0 +1,29 @@
+//! A scene from what a file says: the numbers in the precision of the rays, and what means nothing refused at its
+//! place.
+
+mod camera;
+mod object;
+
+use math::Real;
+use scene_file::Error;
+
+use crate::Scene;
+
+/// The scene of a file, for a picture of `size` pixels; `None`: of the size that the file says.
+///
+/// An [`Error`] with its place where the camera has no frame, where a shape has no extent or a transform no inverse, and
+/// where a number is too large for R.
+pub fn scene<R: Real>(file: &scene_file::Scene, size: Option<(u32, u32)>) -> Result<Scene<R>, Error> {
+    let size = size.unwrap_or(file.camera.size.value);
+    let (camera, grid) = camera::camera(file, size)?;
+    let objects = file.objects.iter().map(|it| object::object(file, it)).collect::<Result<_, _>>()?;
+    Ok(Scene { camera, grid, size, objects })
+}
+
+/// A point or vector in R.
+fn vector<R: Real>([x, y, z]: [f64; 3]) -> R::Vec3 {
+    R::vec3(R::round_from(x), R::round_from(y), R::round_from(z))
+}
+
+/// What to do about a number that R cannot hold.
+const TOO_LARGE: &str = "make it smaller, or take --precision f64";

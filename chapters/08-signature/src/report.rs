@@ -1,0 +1,119 @@
+//! What was measured, as records, as a table to read, and as the trade plot.
+
+use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
+use lab::table::{aligned, short, three_digits};
+use stage::{Drawing, Field, Record, Sheet, Traded};
+
+use crate::measure::{Entry, Measured};
+
+/// The table with what to take from it, the contract's records, and the plot `trade.svg`.
+pub(crate) fn traded(measured: &[Measured], seed: u64) -> Traded {
+    let plot = Drawing { ending: "trade.svg", sheet: Sheet::Svg(trade_svg(&plot(measured))) };
+    let records = measured.iter().flat_map(|it| it.entries.iter().map(|entry| record(it, entry, seed)));
+    Traded { text: text(measured, seed), records: records.collect(), drawings: vec![plot] }
+}
+
+/// The contract's fields, those about a single hit empty; then those about pixels.
+fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
+    let Entry { method, precision, ns, off, on_front } = entry;
+    vec![
+        ("method", Field::Text(method.name().to_string())),
+        ("precision", Field::Text(precision.name().to_string())),
+        ("regime", Field::Text(measured.name.clone())),
+        ("ns_per_ray", Field::Nothing),
+        ("cases", Field::Count(off.pixels)),
+        ("wrong_decisions", Field::Nothing),
+        ("t_ulp_median", Field::Nothing),
+        ("t_ulp_p99", Field::Nothing),
+        ("t_ulp_max", Field::Nothing),
+        ("pareto", Field::Flag(*on_front)),
+        ("ns_per_pixel", Field::Number(ns.median)),
+        ("ns_low", Field::Number(ns.low)),
+        ("ns_high", Field::Number(ns.high)),
+        ("objects", Field::Count(measured.objects as u64)),
+        ("other_object", Field::Count(off.others)),
+        ("holes", Field::Count(off.holes)),
+        ("seed", Field::Count(seed)),
+    ]
+}
+
+fn plot(measured: &[Measured]) -> TradePlot {
+    let mark = |entry: &Entry| Mark {
+        method: entry.method.name().to_string(),
+        precision: entry.precision,
+        ns: entry.ns.median,
+        error: entry.off.share(),
+        wrong: entry.off.others,
+        cases: entry.off.pixels,
+        on_front: entry.on_front,
+    };
+    let panels = measured.iter().map(|it| Panel {
+        name: it.name.clone(),
+        what: it.what.clone(),
+        marks: it.entries.iter().map(mark).collect(),
+    });
+    TradePlot {
+        title: "Scene signature: speed for accuracy".to_string(),
+        subtitle: "ns a pixel, every object tried: the median over rounds in which all take turns. The reference sees \
+                   with the robust methods at f64."
+            .to_string(),
+        words: Words {
+            unit: "pixel",
+            error: ["error: the share of pixels", "that see another object"],
+            wrong: "pixels that see another object",
+        },
+        panels: panels.collect(),
+    }
+}
+
+fn text(measured: &[Measured], seed: u64) -> String {
+    let mut text = format!("signature · trade · seed {seed}\n");
+    text += "ns: a pixel, all objects tried, the median and its quartiles. other: pixels that see another object than the \
+             robust\nmethods at f64 do, with no object and some object among them; holes: those of them that see nothing at \
+             all.\n★: on the Pareto front: nothing else is at least as fast and as right, and better in one.\n";
+    for it in measured {
+        text += "\n";
+        text += &table(it);
+    }
+    text + "\n" + &what_to_take(measured)
+}
+
+const HEADS: [&str; 7] = ["method", "", "ns", "", "ns/object", "other", "holes"];
+
+/// One scene: its name, what it is, and a line a method and precision.
+fn table(measured: &Measured) -> String {
+    let Measured { name, what, objects, size: (width, height), entries } = measured;
+    let heads = HEADS.map(str::to_string).to_vec();
+    let cells = |Entry { method, precision, ns, off, .. }: &Entry| {
+        vec![
+            method.name().to_string(),
+            precision.name().to_string(),
+            three_digits(ns.median),
+            format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
+            three_digits(ns.median / *objects as f64),
+            short(off.others as f64),
+            short(off.holes as f64),
+        ]
+    };
+    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
+    let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
+    format!("{name}: {what} · {width} × {height} pixels\n{}", aligned(&lines, &starred))
+}
+
+/// For each scene the fastest that sees what the reference sees.
+fn what_to_take(measured: &[Measured]) -> String {
+    let mut text = "What to take: the fastest that sees what the robust methods at f64 see\n".to_string();
+    let width = measured.iter().map(|it| it.name.chars().count()).max().unwrap_or(0);
+    for Measured { name, entries, .. } in measured {
+        let right = entries.iter().filter(|entry| entry.off.others == 0);
+        let take = right.min_by(|a, b| a.ns.median.total_cmp(&b.ns.median));
+        let said = match take {
+            Some(Entry { method, precision, ns, .. }) => {
+                format!("{} {}, {} ns", method.name(), precision.name(), three_digits(ns.median))
+            }
+            None => "none of these".to_string(),
+        };
+        text += &format!("  {name:<width$}  {said}\n");
+    }
+    text
+}

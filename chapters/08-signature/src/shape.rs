@@ -1,0 +1,107 @@
+//! The shapes of a scene, each met by its own chapter.
+
+use affine::Deformed;
+use math::{Degenerate, Parallel, Ray3, Real, Span};
+use quadric::open::OpenCone;
+use ray_plane::{Meeting, Plane};
+use ray_sphere::Sphere;
+use triangle::Triangle;
+use triangle::mesh::Mesh;
+use triangle::polygon::{Polygon, Rule};
+
+use crate::{Hit3, Method};
+
+/// A shape where it stands in the world.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape<R: Real> {
+    /// Chapter 03.
+    Plane(Plane<R>),
+    /// Chapter 04.
+    Sphere(Sphere<R>),
+    /// Chapter 05.
+    Triangle(Triangle<R>),
+    /// Chapter 05: its inside by the even-odd rule.
+    Polygon(Polygon<R>),
+    /// Chapter 05.
+    Mesh(Mesh<R>),
+    /// Chapter 06: the unit cylinder or cone, undeformed.
+    Solid(quadric::Shape),
+    /// Chapter 06: NFF's cone, without caps.
+    OpenCone(OpenCone<R>),
+    /// Chapter 07: a sphere, cylinder or cone by (A, t).
+    Deformed(Deformed<R>),
+}
+
+impl<R: Real> Shape<R> {
+    /// The nearest hit in `span`, by the method of the shape's own chapter; `None` for a miss. The ray must be a ray:
+    /// [`Ray3::check`].
+    pub fn hit(&self, method: Method, ray: &Ray3<R>, span: Span<R>) -> Option<Hit3<R>> {
+        let hit = match method {
+            Method::Robust => self.robust(ray, span),
+            Method::Notes => self.notes(ray, span),
+        };
+        // Degenerate shapes are refused when the scene is made.
+        hit.ok().flatten()
+    }
+
+    fn robust(&self, ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        match self {
+            Shape::Plane(plane) => ray_plane::robust(ray, plane).hit(span),
+            Shape::Sphere(sphere) => ray_sphere::robust(ray, sphere).hit(span),
+            Shape::Triangle(triangle) => triangle::robust(ray, triangle).hit(span),
+            Shape::Polygon(polygon) => polygon.hit(ray, span),
+            Shape::Mesh(mesh) => Ok(mesh.hit(triangle::Method::Robust, ray, span)?.map(|seen| seen.hit)),
+            Shape::Solid(shape) => quadric::robust(ray, *shape).hit(span),
+            Shape::OpenCone(cone) => quadric::open::robust(ray, cone).hit(span),
+            Shape::Deformed(deformed) => affine::robust(ray, deformed).hit(span),
+        }
+    }
+
+    fn notes(&self, ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        match self {
+            Shape::Plane(plane) => ray_plane::notes(ray, plane).hit(span),
+            Shape::Sphere(sphere) => ray_sphere::half_quadratic(ray, sphere).hit(span),
+            Shape::Triangle(triangle) => triangle::matrix(ray, triangle).hit(span),
+            Shape::Polygon(polygon) => polygon.hit_by(ray_plane::Method::Notes, Rule::EvenOdd, ray, span),
+            Shape::Mesh(mesh) => Ok(mesh.hit(triangle::Method::Matrix, ray, span)?.map(|seen| seen.hit)),
+            Shape::Solid(shape) => quadric::notes(ray, *shape).hit(span),
+            Shape::OpenCone(cone) => quadric::open::notes(ray, cone).hit(span),
+            Shape::Deformed(deformed) => affine::notes(ray, deformed).hit(span),
+        }
+    }
+
+    /// How the ray runs along a flat shape, exactly; `None` where it meets its plane, for a solid, and for a mesh,
+    /// which has many planes. The ray must be a ray.
+    pub fn parallel(&self, ray: &Ray3<R>) -> Option<Parallel> {
+        match self {
+            Shape::Plane(plane) => match ray_plane::robust(ray, plane).meeting() {
+                Meeting::Never(how) => Some(how),
+                Meeting::At(_) => None,
+            },
+            Shape::Triangle(triangle) => triangle::robust(ray, triangle).parallel(),
+            Shape::Polygon(polygon) => polygon.parallel(ray),
+            Shape::Deformed(deformed) => deformed.parallel(ray),
+            Shape::Sphere(_) | Shape::Mesh(_) | Shape::Solid(_) | Shape::OpenCone(_) => None,
+        }
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Shape::Plane(_) => "plane",
+            Shape::Sphere(_) => "sphere",
+            Shape::Triangle(_) => "triangle",
+            Shape::Polygon(_) => "polygon",
+            Shape::Mesh(_) => "mesh",
+            Shape::Solid(shape) => shape.name(),
+            Shape::OpenCone(_) => "open cone",
+            Shape::Deformed(deformed) => match deformed.object {
+                affine::Object::Sphere => "sphere, deformed",
+                affine::Object::Cylinder => "cylinder, deformed",
+                affine::Object::Cone => "cone, deformed",
+                affine::Object::Plane => "plane, deformed",
+                affine::Object::Triangle => "triangle, deformed",
+            },
+        }
+    }
+}
