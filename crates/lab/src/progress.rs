@@ -1,5 +1,6 @@
 //! How far the measuring is: a bar where standard error is a terminal, nothing elsewhere.
 
+use std::borrow::Cow;
 use std::io::{self, IsTerminal};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -21,7 +22,7 @@ impl Progress {
     }
 
     /// Names the step that begins.
-    pub fn starts(&self, name: &'static str) {
+    pub fn starts(&self, name: impl Into<Cow<'static, str>>) {
         self.0.set_message(name);
         self.0.tick();
     }
