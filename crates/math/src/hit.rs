@@ -50,6 +50,8 @@ pub enum Degenerate {
     FrontBeyondBack,
     /// The corners of the triangle lie on one line.
     NoArea,
+    /// The base and the apex of the cone are one point.
+    NoHeight,
     /// The matrix has no inverse.
     Singular,
 }
@@ -64,6 +66,7 @@ impl Degenerate {
             Degenerate::RadiusNotPositive => "radius-not-positive",
             Degenerate::FrontBeyondBack => "front-beyond-back",
             Degenerate::NoArea => "no-area",
+            Degenerate::NoHeight => "no-height",
             Degenerate::Singular => "singular",
         }
     }
@@ -78,6 +81,7 @@ impl fmt::Display for Degenerate {
             Degenerate::RadiusNotPositive => "the radius is not positive",
             Degenerate::FrontBeyondBack => "the wall's front face is beyond its back face",
             Degenerate::NoArea => "the triangle has no area",
+            Degenerate::NoHeight => "the base and the apex of the cone are one point",
             Degenerate::Singular => "the matrix is singular: it has no inverse",
         })
     }
