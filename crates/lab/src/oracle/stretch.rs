@@ -65,6 +65,12 @@ impl Stretch {
         (!is_empty).then_some(common)
     }
 
+    /// Whether t is in it, both ends included.
+    pub(super) fn holds(&self, t: &ExactRoot) -> bool {
+        let begun = self.from.as_ref().is_none_or(|from| from.compared_with_root(t).is_le());
+        begun && self.to.as_ref().is_none_or(|to| to.compared_with_root(t).is_ge())
+    }
+
     /// Its two ends. Panics where it has not both: no solid reaches to infinity.
     pub(super) fn ends(self) -> [ExactRoot; 2] {
         [self.from, self.to].map(|end| end.expect("a solid is bounded"))
@@ -125,6 +131,14 @@ mod tests {
         // by hand: (t − 2)² + c ≤ 0
         assert_eq!(ends(within([1.0, 2.0, 4.0])), Some([2.0, 2.0]));
         assert_eq!(ends(within([1.0, 2.0, 4.0_f64.next_up()])), None);
+    }
+
+    #[test]
+    fn both_ends_are_held() {
+        let stretch = Stretch::common([above(-1.0, 1.0), above(5.0, -1.0)]).unwrap();
+        let holds = |t: f64| stretch.holds(&ExactRoot::quotient(Dyadic::of(t), Dyadic::of(1.0)));
+        assert!([1.0, 3.0, 5.0].into_iter().all(holds));
+        assert!(![1.0_f64.next_down(), 5.0_f64.next_up(), -3.0].into_iter().any(holds));
     }
 
     #[test]

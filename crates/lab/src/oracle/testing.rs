@@ -73,7 +73,7 @@ pub(super) fn assert_rounded(root: &Root, precision: Precision, place: impl Fn(&
 }
 
 /// Both parts of a wide number above zero, whatever its exponent.
-fn exactly(wide: Wide) -> Dyadic {
+pub(super) fn exactly(wide: Wide) -> Dyadic {
     for power in (-6000..=6000).step_by(600) {
         let scaled = wide * Wide::new(TwoPart::from(1.0), -power);
         let hi = scaled.to_f64();
