@@ -5,12 +5,14 @@
 //! page: find every point where the line meets the wall or a plane, test each, take the smallest λ. The page
 //! prints x² + y² = ¼(1 − z²) for the cone, which is half an ellipsoid: [`mod@printed`] shows it. [`mod@robust`]
 //! says where the tests go wrong, and asks signs first: which part is it? Then it works out one λ.
+//! [`mod@open`] is the cone of a scene file: any axis, two radii, and no caps.
 
 #[cfg(feature = "stage")]
 mod explain;
 #[cfg(feature = "stage")]
 mod measure;
 pub mod notes;
+pub mod open;
 #[cfg(feature = "stage")]
 mod picture;
 pub mod printed;

@@ -1,0 +1,169 @@
+//! Signs first, then one root: [`crate::robust`]'s way, for an open cone anywhere in space.
+//!
+//! The axis v = apex − base is a difference, and a rounded one would be another cone's: a ray that lies in the wall
+//! would be beside it. So v is kept with all its digits, and f, which the notes divide by (v·v)², is not divided at all.
+//! Each formula is tried in `f64` with a bound on its error, then with twice the digits, then exactly.
+
+use math::wide::{exponent_of, scaled};
+use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector, Wide};
+
+use super::line::Line;
+use super::{OpenCone, Verdict};
+use crate::Hit3;
+use crate::robust::Certainty;
+
+/// Every number of the robust method.
+///
+/// A degenerate question is a miss here; [`Robust::hit`] refuses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robust<R: Real> {
+    /// The ray.
+    pub ray: Ray3<R>,
+    /// The cone.
+    pub cone: OpenCone<R>,
+    /// What becomes of the ray at λ ≥ 0.
+    pub verdict: Verdict,
+    /// With what kind of number the verdict was reached.
+    pub certainty: Certainty,
+    /// λ ≥ 0 of the place that is met, off by less than a unit of its last digit; `None` for a miss.
+    pub t: Option<R>,
+    /// With what kind of number t was worked out.
+    pub t_certainty: Certainty,
+}
+
+/// Works out the robust method.
+#[inline(always)]
+pub fn robust<R: Real>(ray: &Ray3<R>, cone: &OpenCone<R>) -> Robust<R> {
+    let at_once = Certainty::AtOnce;
+    if cone.check(ray).is_err() {
+        let (verdict, t) = (Verdict::Misses, None);
+        return Robust { ray: *ray, cone: *cone, verdict, certainty: at_once, t, t_certainty: at_once };
+    }
+    let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
+    let measures = cone.in_f64();
+    let (verdict, certainty) = match Line::<Bounded<f64>>::new(&measures, o, d).verdict() {
+        Some(verdict) => (verdict, at_once),
+        None => careful_verdict(&measures, o, d, 0.0),
+    };
+    let (t, t_certainty) = t_of(&measures, o, d, verdict);
+    Robust { ray: *ray, cone: *cone, verdict, certainty, t, t_certainty }
+}
+
+/// The verdict from λ on, with twice the digits, or exactly.
+#[cold]
+#[inline(never)]
+fn careful_verdict(cone: &OpenCone<f64>, o: [f64; 3], d: [f64; 3], lambda: f64) -> (Verdict, Certainty) {
+    if let Some(verdict) = Line::<Bounded<TwoPart>>::new(cone, o, d).starting_at(lambda).verdict() {
+        return (verdict, Certainty::TwoPart);
+    }
+    // No sign of an exact number is in doubt.
+    let verdict = Line::<Exact>::new(cone, o, d).starting_at(lambda).verdict();
+    (verdict.unwrap_or(Verdict::Misses), Certainty::Exact)
+}
+
+/// λ of the verdict: for f32 plain f64 is nearly always enough, for f64 twice the digits.
+#[inline(always)]
+fn t_of<R: Real>(cone: &OpenCone<f64>, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> (Option<R>, Certainty) {
+    if verdict == Verdict::Misses {
+        return (None, Certainty::AtOnce);
+    }
+    if R::DIGITS < f64::MANTISSA_DIGITS
+        && let Some(t) = Line::<Bounded<f64>>::new(cone, o, d).t(verdict)
+    {
+        return (Some(t), Certainty::AtOnce);
+    }
+    if let Some(t) = Line::<Bounded<TwoPart>>::new(cone, o, d).t(verdict) {
+        return (Some(t), Certainty::TwoPart);
+    }
+    (exact_t(cone, o, d, verdict), Certainty::Exact)
+}
+
+#[cold]
+#[inline(never)]
+fn exact_t<R: Real>(cone: &OpenCone<f64>, o: [f64; 3], d: [f64; 3], verdict: Verdict) -> Option<R> {
+    Line::<Exact>::new(cone, o, d).t(verdict)
+}
+
+/// Larger than `min` by so much that λ is, too, of which t is the rounded value.
+#[inline(always)]
+fn is_clearly_beyond<R: Real>(t: R, min: R) -> bool {
+    const LESS: f64 = 1.0 - 1.0 / (1 << 20) as f64;
+    let (t, min): (f64, f64) = (t.into(), min.into());
+    t * LESS > min
+}
+
+impl<R: Real> Robust<R> {
+    /// The first hit in `span`. That λ ≥ span.min is decided exactly, and so a t that comes out a rounding below it is
+    /// given as span.min; span.max is compared with t as rounded. What lies behind the origin is not looked for.
+    #[inline(always)]
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        self.cone.check(&self.ray)?;
+        let zero = R::from(0.0);
+        let Some(t) = self.t else { return Ok(None) };
+        let (verdict, t) = if span.min <= zero || is_clearly_beyond(t, span.min) {
+            (self.verdict, t)
+        } else {
+            let Some(later) = self.later(span.min) else { return Ok(None) };
+            later
+        };
+        if !(span.min <= t && t <= span.max) {
+            return Ok(None);
+        }
+        let t = t + zero; // minus zero is zero
+        Ok(Some(self.hit_at(verdict, t)))
+    }
+
+    /// The verdict from an λ > 0 on, and its t.
+    #[cold]
+    #[inline(never)]
+    fn later(&self, lambda: R) -> Option<(Verdict, R)> {
+        if !lambda.is_finite() {
+            return None;
+        }
+        let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
+        let cone = self.cone.in_f64();
+        let (verdict, _) = careful_verdict(&cone, o, d, lambda.into());
+        let t = match verdict {
+            Verdict::Starts(_) => lambda,
+            _ => t_of::<R>(&cone, o, d, verdict).0?,
+        };
+        Some((verdict, if t < lambda { lambda } else { t }))
+    }
+
+    /// Point and normal.
+    #[inline(always)]
+    fn hit_at(&self, verdict: Verdict, t: R) -> Hit3<R> {
+        let point = self.ray.at(t);
+        if t.is_finite() && point.is_finite() {
+            let normal = if self.is_tip(verdict) { self.cone.tip_normal() } else { self.cone.normal(point) };
+            return Hit { t, point, normal };
+        }
+        self.far_hit(verdict, t)
+    }
+
+    /// Where λ or the point is beyond the largest number. A direction that is 2^k times as long leads to the same point,
+    /// by a λ that is a number.
+    #[cold]
+    #[inline(never)]
+    fn far_hit(&self, verdict: Verdict, t: R) -> Hit3<R> {
+        let [o, mut d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
+        let cone = self.cone.in_f64();
+        let mut lambda: f64 = t.into();
+        if !t.is_finite() {
+            // The direction is short: longer it keeps all its digits.
+            let longest = d.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
+            d = d.map(|component| scaled(component, 10 - exponent_of(longest)));
+            lambda = t_of::<f64>(&cone, o, d, verdict).0.unwrap_or(0.0);
+        }
+        let point = [0, 1, 2].map(|axis| Wide::from(o[axis]) + Wide::from(lambda) * Wide::from(d[axis]));
+        let [x, y, z] = point.map(|component| R::round_from(component.to_f64()));
+        let normal = if self.is_tip(verdict) { self.cone.tip_normal() } else { self.cone.wide_normal(point) };
+        Hit { t, point: R::vec3(x, y, z), normal }
+    }
+
+    /// Whether it is the tip that is met, where the wall has no normal.
+    #[inline(always)]
+    fn is_tip(&self, verdict: Verdict) -> bool {
+        verdict.end().is_some_and(|end| self.cone.radius(end) == R::from(0.0))
+    }
+}
