@@ -41,7 +41,7 @@ impl Assets {
             return Ok(mesh.clone());
         }
         let bytes = self.bytes(&path, "an OBJ file", asked)?;
-        let source = Source::from_bytes(path.display().to_string(), bytes)?;
+        let source = Source::from_bytes(path.display().to_string(), bytes, Some(asked))?;
         let mesh = obj::mesh(&source, self.faces_left, Some(asked))?;
         self.faces_left -= mesh.faces.len();
         let mesh = Arc::new(mesh);

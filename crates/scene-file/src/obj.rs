@@ -12,7 +12,7 @@ use crate::source::{Source, Spot};
 use crate::toml::shown;
 use crate::{Error, Mesh};
 use corner::{Corner, Counts};
-use line::{Line, fault, lines};
+use line::{Line, lines};
 
 /// Statements of OBJ that say nothing about where a face is.
 #[rustfmt::skip]
@@ -58,7 +58,7 @@ pub(crate) fn mesh(source: &Source, most_faces: usize, asked: Option<Spot>) -> R
     }
     if mesh.faces.is_empty() {
         let remedy = "write a face such as `f 1 2 3`, or name another file";
-        return Err(fault(source.spot(0..0), "this mesh has no faces", remedy, asked));
+        return Err(source.spot(0..0).asked_fault("this mesh has no faces", remedy, asked));
     }
     Ok(mesh)
 }

@@ -20,9 +20,8 @@ impl Picture {
     ///
     /// Where the bytes are none: what is wrong, and what would help.
     pub(crate) fn decode(bytes: &[u8], limit: u64) -> Result<Picture, (String, String)> {
-        let broken = |error| {
-            (format!("it is no PNG picture, or a broken one ({error})"), "save it as a PNG".to_string())
-        };
+        let broken =
+            |_| ("it is no PNG picture, or a broken one".to_string(), "save it as a PNG".to_string());
         let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(broken)?;
         let (width, height) = decoder.dimensions();
         if u64::from(width) * u64::from(height) > limit {

@@ -24,7 +24,7 @@ impl Scene {
                     false => Error::failed(&name, &unread.problem, "try again"),
                 }
             })?;
-        let source = Source::from_bytes(name, bytes)?;
+        let source = Source::from_bytes(name, bytes, None)?;
         match is_nff {
             true => nff::scene(source),
             false => toml::scene(source, &mut Assets::new(path.parent().unwrap_or(Path::new("")))),

@@ -29,16 +29,17 @@ impl Source {
         Source { name: name.into(), text }
     }
 
-    /// A file of that name and content.
+    /// A file of that name and content. `asked` is where a scene names it.
     ///
     /// An error at the first byte that is no UTF-8.
-    pub(crate) fn from_bytes(name: String, bytes: Vec<u8>) -> Result<Source, Error> {
+    pub(crate) fn from_bytes(name: String, bytes: Vec<u8>, asked: Option<Spot>) -> Result<Source, Error> {
+        let zipped = bytes.starts_with(b"\x1f\x8b");
         String::from_utf8(bytes).map(|text| Source::new(&*name, text)).map_err(|error| {
-            let good = error.utf8_error().valid_up_to();
-            let text = String::from_utf8_lossy(error.as_bytes());
-            let source = Source::new(name, text.as_ref());
-            let bad = source.text.find(char::REPLACEMENT_CHARACTER).unwrap_or(good);
-            source.spot(bad..bad + 1).fault("a byte that is no UTF-8", "save the file as UTF-8 text")
+            let bad = error.utf8_error().valid_up_to();
+            let source = Source::new(name, String::from_utf8_lossy(error.as_bytes()));
+            let bad = source.text.find(char::REPLACEMENT_CHARACTER).unwrap_or(bad);
+            let remedy = if zipped { "unpack it with gunzip" } else { "save the file as UTF-8 text" };
+            source.spot(bad..bad + 1).asked_fault("a byte that is no UTF-8", remedy, asked)
         })
     }
 
@@ -81,6 +82,11 @@ impl<'a> Spot<'a> {
     /// An error that points there.
     pub(crate) fn fault(self, problem: &str, remedy: &str) -> Error {
         Error::at(self, problem, remedy, None)
+    }
+
+    /// An error that points there, and at where a scene names the file.
+    pub(crate) fn asked_fault(self, problem: &str, remedy: &str, asked: Option<Spot>) -> Error {
+        Error::at(self, problem, remedy, asked.map(|asked| (asked, "the scene asks for it here")))
     }
 
     /// An error that points there, and elsewhere.

@@ -8,14 +8,13 @@ mod material;
 mod number;
 mod object;
 mod shape;
+mod syntax;
 mod table;
 mod texture;
 mod transform;
 mod value;
 
 use std::sync::Arc;
-
-use ::toml::de::DeTable;
 
 use crate::assets::Assets;
 use crate::source::Source;
@@ -29,7 +28,6 @@ use object::object;
 use table::Table;
 use value::Value;
 
-use value::one_line;
 pub(crate) use value::shown;
 
 const KEYS: &[Key] = &[
@@ -45,13 +43,13 @@ const KEYS: &[Key] = &[
 /// Reads a scene in TOML and the meshes and pictures that it names.
 pub(crate) fn scene(source: Source, assets: &mut Assets) -> Result<Scene, Error> {
     let source = Arc::new(source);
-    let document = DeTable::parse(&source.text).map_err(|error| not_toml(&source, &error))?;
-    let table = Table::new(source.spot(0..0), "scene", KEYS, document.get_ref())?;
+    let document = syntax::parse(&source)?;
+    let table = Table::new(source.spot(0..0), "scene", KEYS, &document)?;
 
     let max_depth = table.or("max_depth", 5, max_depth)?;
     let background = table.or("background", [0.0; 3], Value::radiance)?;
     let ambient = table.or("ambient", [1.0; 3], Value::radiance)?;
-    let camera = camera(table.get("camera")?)?;
+    let camera = camera(table.find("camera").ok_or_else(|| no_camera(&source))?)?;
     let lights = table.or("light", Vec::new(), |lights| lights.items()?.map(light).collect())?;
     let materials = table.or("material", Materials::default(), |value| Materials::read(value, assets))?;
     let mut ids = Ids::default();
@@ -62,19 +60,14 @@ pub(crate) fn scene(source: Source, assets: &mut Assets) -> Result<Scene, Error>
     Ok(Scene { max_depth, background, ambient, camera, lights, materials, objects, source: source.clone() })
 }
 
+fn no_camera(source: &Source) -> Error {
+    let remedy = "write `[camera]`, and below it `eye = [0.0, 1.0, -6.0]` and `look_at = [0.0, 0.5, 0.0]`";
+    source.spot(0..0).fault("this scene has no camera", remedy)
+}
+
 fn max_depth(value: Value) -> Result<u32, Error> {
     match value.whole()? {
         depth @ 1..=1000 => Ok(depth as u32),
         _ => Err(value.impossible("must be 1 to 1000")),
     }
-}
-
-/// An error of the TOML reader, which says itself what it expects.
-fn not_toml(source: &Source, error: &::toml::de::Error) -> Error {
-    let message = one_line(error.message());
-    let (problem, remedy) = match message.split_once(", expected ") {
-        Some((problem, expected)) => (problem, format!("write {expected}")),
-        None => (&*message, "see https://toml.io for how TOML is written".to_string()),
-    };
-    source.spot(error.span().unwrap_or(0..0)).fault(&format!("this is no TOML: {problem}"), &remedy)
 }

@@ -41,10 +41,10 @@ fn cone(statement: &mut Statement) -> Result<Shape, Error> {
     let apex = statement.point()?;
     let apex_radius = statement.not_negative()?;
     if base_radius == 0.0 && apex_radius == 0.0 {
-        return Err(statement.impossible(statement.place(), "must be above 0 at one end"));
+        return Err(statement.refused(statement.place(), "one of the two radii must be above 0"));
     }
     if base == apex.value {
-        return Err(statement.impossible(apex.place, "the second end must not be where the first is"));
+        return Err(statement.refused(apex.place, "the second end must not be where the first is"));
     }
     Ok(Shape::OpenCone { base, base_radius, apex: apex.value, apex_radius })
 }
@@ -61,7 +61,7 @@ fn corners(statement: &mut Statement, numbers: usize) -> Result<usize, Error> {
         Ok(count) if count <= most => Ok(count),
         _ => Err(statement.impossible(
             place,
-            &format!("must not be more than the {most} corners for which there is room in the file"),
+            &format!("must be {most} at most, as the rest of the file has room for no more corners"),
         )),
     }
 }

@@ -1,5 +1,6 @@
 //! A keyword and what follows it.
 
+use crate::source::Spot;
 use crate::toml::shown;
 use crate::word::{Word, Words};
 use crate::{At, Error, Place};
@@ -59,20 +60,20 @@ impl<'a, 't> Statement<'a, 't> {
 
     /// The next word as a finite number.
     pub(super) fn number(&mut self) -> Result<At<f64>, Error> {
-        let word = self.word()?;
+        let word = self.word("a number")?;
         match word.text.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(At { value, place: word.spot.place }),
             Ok(_) => Err(self.impossible(word.spot.place, "must be finite")),
-            Err(_) => Err(self.unexpected(word, "a number")),
+            Err(_) => Err(self.no("a number", word)),
         }
     }
 
     /// The next word as a whole number, 0 or more.
     pub(super) fn count(&mut self) -> Result<At<u64>, Error> {
-        let word = self.word()?;
+        let word = self.word("a whole number")?;
         match word.text.parse() {
             Ok(value) => Ok(At { value, place: word.spot.place }),
-            Err(_) => Err(self.unexpected(word, "a whole number")),
+            Err(_) => Err(self.no("a whole number", word)),
         }
     }
 
@@ -101,26 +102,29 @@ impl<'a, 't> Statement<'a, 't> {
         Ok([self.not_negative()?, self.not_negative()?, self.not_negative()?])
     }
 
-    /// An error for the number that was just read, or the numbers up to it.
+    /// An error for the number that was just read.
     pub(super) fn impossible(&self, place: Place, why: &str) -> Error {
+        self.refused(place, &format!("`{}` {why}", self.part_name()))
+    }
+
+    /// An error for something that cannot be.
+    pub(super) fn refused(&self, place: Place, problem: &str) -> Error {
         let spot = self.words.source.spot(place);
-        let problem = format!("`{}` {why}: {}", self.part_name(), shown(spot.text()));
-        spot.fault(&problem, &self.remedy())
+        spot.fault(&format!("{problem}: {}", shown(spot.text())), &self.remedy())
     }
 
-    fn word(&mut self) -> Result<Word<'t>, Error> {
+    fn word(&mut self, wanted: &str) -> Result<Word<'t>, Error> {
         self.read += 1;
-        self.words.next().ok_or_else(|| {
-            let problem =
-                format!("the file ends where `{}` of `{}` should follow", self.part_name(), self.name());
-            self.words.here().clash(&problem, &self.remedy(), self.keyword.spot, "what it belongs to")
-        })
+        self.words.next().ok_or_else(|| self.unexpected("the file ends", self.words.here(), wanted))
     }
 
-    fn unexpected(&self, word: Word, wanted: &str) -> Error {
-        let (found, part, name) = (shown(word.text), self.part_name(), self.name());
-        let problem = format!("{found} stands where `{part}` of `{name}` should, {wanted}");
-        word.spot.clash(&problem, &self.remedy(), self.keyword.spot, "what it belongs to")
+    fn unexpected(&self, found: &str, spot: Spot, wanted: &str) -> Error {
+        let problem = format!("{found} where `{}` wants {wanted}, `{}`", self.name(), self.part_name());
+        spot.clash(&problem, &self.remedy(), self.keyword.spot, "what it belongs to")
+    }
+
+    fn no(&self, wanted: &str, word: Word) -> Error {
+        self.unexpected(&format!("{} stands", shown(word.text)), word.spot, wanted)
     }
 
     fn remedy(&self) -> String {

@@ -61,7 +61,7 @@ impl Parts {
             "up" => {
                 let up = part.point()?;
                 if up.value == [0.0; 3] {
-                    return Err(part.impossible(up.place, "of `up` must not be zero"));
+                    return Err(part.refused(up.place, "`up` must not be zero"));
                 }
                 self.up.replace(up).is_some()
             }
@@ -92,6 +92,6 @@ fn resolution(part: &mut Statement) -> Result<At<(u32, u32)>, Error> {
     let pixels = columns.value.checked_mul(rows.value).filter(|pixels| (1..=PIXELS).contains(pixels));
     match (pixels, u32::try_from(columns.value), u32::try_from(rows.value)) {
         (Some(_), Ok(columns), Ok(rows)) => Ok(At { value: (columns, rows), place }),
-        _ => Err(part.impossible(place, "and `columns` must be 1 to 2^28 pixels in all")),
+        _ => Err(part.refused(place, "the resolution must be 1 to 2^28 pixels in all")),
     }
 }

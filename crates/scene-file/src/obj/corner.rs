@@ -11,6 +11,9 @@ pub(super) struct Corner {
     pub(super) normal: Option<u32>,
 }
 
+/// What a corner refers to, part by part, and the statement that lists it.
+const LISTS: [(&str, &str); 3] = [("vertex", "v"), ("texture coordinate", "vt"), ("normal", "vn")];
+
 /// How many vertices, texture coordinates and normals there are.
 #[derive(Default)]
 pub(super) struct Counts([u32; 3]);
@@ -18,8 +21,7 @@ pub(super) struct Counts([u32; 3]);
 impl Counts {
     /// Counts a statement, if it lists something.
     pub(super) fn count(&mut self, keyword: &str) {
-        let lists = ["v", "vt", "vn"];
-        if let Some(which) = lists.iter().position(|list| *list == keyword) {
+        if let Some(which) = LISTS.iter().position(|(_, list)| *list == keyword) {
             self.0[which] = self.0[which].saturating_add(1);
         }
     }
@@ -49,9 +51,14 @@ impl Corner {
             let from_0 = if index > 0 { index - 1 } else { i64::from(so_far.0[which]).saturating_add(index) };
             *place = u32::try_from(from_0).ok().filter(|place| index != 0 && *place < all.0[which]);
             if place.is_none() {
-                let (what, count) = (["vertex", "texture coordinate", "normal"][which], all.0[which]);
+                let (what, keyword) = LISTS[which];
+                let count = all.0[which];
+                let remedy = match count {
+                    0 => format!("list it first, in a line that begins with `{keyword}`"),
+                    _ => format!("write 1 to {count}, or -1 for the last one before this line"),
+                };
                 let problem = format!("there is no {what} {index}: the file lists {count}");
-                return Err(line.fault(word.spot, &problem, "write 1 for the first, or -1 for the last"));
+                return Err(line.fault(word.spot, &problem, &remedy));
             }
         }
         if parts.next().is_some() {

@@ -76,11 +76,6 @@ impl<'t> Line<'t> {
 
     /// An error that points into the line, and at where the scene names the file.
     pub(super) fn fault(&self, spot: Spot, problem: &str, remedy: &str) -> Error {
-        fault(spot, problem, remedy, self.asked)
+        spot.asked_fault(problem, remedy, self.asked)
     }
-}
-
-/// An error that points into an OBJ file, and at where the scene names it.
-pub(super) fn fault(spot: Spot, problem: &str, remedy: &str, asked: Option<Spot>) -> Error {
-    Error::at(spot, problem, remedy, asked.map(|asked| (asked, "the scene asks for it here")))
 }

@@ -72,10 +72,10 @@ fn window(value: Value) -> Result<Extent, Error> {
 fn size(value: Value) -> Result<(u32, u32), Error> {
     let mut counts = [0; 2];
     for (count, item) in counts.iter_mut().zip(value.exactly::<2>()?) {
-        *count = match u32::try_from(item.whole()?) {
-            Ok(1..) => item.whole()? as u32,
-            _ => return Err(item.impossible("must have 1 pixel or more either way")),
-        };
+        *count = u32::try_from(item.whole()?).unwrap_or(0);
+        if !(1..=PIXELS).contains(&u64::from(*count)) {
+            return Err(item.impossible("must be 1 to 2^28 pixels either way"));
+        }
     }
     let [width, height] = counts;
     if u64::from(width) * u64::from(height) > PIXELS {

@@ -15,10 +15,13 @@ pub(super) const fn key(name: &'static str, example: &'static str) -> Key {
 impl Key {
     /// `radius = 1.0`; for what has a header, its header: `[camera]`.
     pub(super) fn sample(self) -> String {
-        match self.example {
-            header if header.starts_with('[') && header.contains(self.name) => format!("`{header}`"),
-            example => format!("`{} = {example}`", self.name),
-        }
+        let Key { name, example } = self;
+        if self.has_header() { format!("`{example}`") } else { format!("`{name} = {example}`") }
+    }
+
+    /// Whether it is written as a header, `[camera]` or `[[object]]`.
+    pub(super) fn has_header(self) -> bool {
+        self.example.trim_start_matches('[').starts_with(self.name)
     }
 }
 

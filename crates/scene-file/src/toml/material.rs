@@ -14,9 +14,9 @@ const KEYS: &[Key] = &[
     key("diffuse", "0.9"),
     key("specular", "0.2"),
     key("shininess", "32.0"),
-    key("mirror", "0.0"),
-    key("transmit", "0.0"),
-    key("ior", "1.0"),
+    key("mirror", "0.2"),
+    key("transmit", "0.5"),
+    key("ior", "1.5"),
     key("texture", "{ checker = [[1, 1, 1], [0, 0, 0]], scale = 1.0 }"),
 ];
 

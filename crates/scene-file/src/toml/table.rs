@@ -39,7 +39,10 @@ impl<'t> Table<'t> {
             _ => format!("the keys of this {kind} are {}", listed(names())),
         };
         let remedy = match meant(name.get_ref(), names()) {
-            Some(meant) => format!("write `{meant}`; {all}"),
+            Some(meant) => match keys.iter().find(|key| key.name == meant) {
+                Some(key) if key.has_header() => format!("write {}; {all}", key.sample()),
+                _ => format!("write `{meant}`; {all}"),
+            },
             None => format!("leave it out; {all}"),
         };
         let problem = format!("unknown key {} in this {kind}", shown(name.get_ref()));
