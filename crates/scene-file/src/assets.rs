@@ -8,7 +8,7 @@ use crate::file::bytes_of;
 use crate::limits::{ASSET_BYTES, FACES, TEXELS};
 use crate::picture::Picture;
 use crate::source::{Source, Spot};
-use crate::toml::shown;
+use crate::toml::one_line;
 use crate::{Error, Mesh, obj};
 
 /// The files that were read for a scene, each once, and how much more may be.
@@ -58,7 +58,7 @@ impl Assets {
         let bytes = self.bytes(&path, "a PNG file", asked)?;
         let picture = Picture::decode(&bytes, self.texels_left).map_err(|unusable| {
             let (problem, remedy) = unusable;
-            asked.fault(&format!("cannot use {}: {problem}", shown(&path.display().to_string())), &remedy)
+            asked.fault(&format!("cannot use {}: {problem}", named(&path)), &remedy)
         })?;
         self.texels_left -= picture.pixels.len() as u64;
         self.pictures.insert(path, picture.clone());
@@ -67,14 +67,18 @@ impl Assets {
 
     fn bytes(&mut self, path: &Path, kind: &str, asked: Spot) -> Result<Vec<u8>, Error> {
         let bytes = bytes_of(path, self.bytes_left).map_err(|unread| {
-            let path = path.display().to_string();
             let remedy = format!("name {kind}, relative to the folder of the scene");
             match unread.wrong_file {
-                true => asked.fault(&format!("cannot read {}: {}", shown(&path), unread.problem), &remedy),
-                false => Error::failed(&path, &unread.problem, "try again"),
+                true => asked.fault(&format!("cannot read {}: {}", named(path), unread.problem), &remedy),
+                false => Error::failed(&path.display().to_string(), &unread.problem, "try again"),
             }
         })?;
         self.bytes_left -= bytes.len() as u64;
         Ok(bytes)
     }
+}
+
+/// The whole name of a file for an error, in one line.
+fn named(path: &Path) -> String {
+    format!("`{}`", one_line(&path.display().to_string()))
 }

@@ -28,7 +28,7 @@ use object::object;
 use table::Table;
 use value::Value;
 
-pub(crate) use value::shown;
+pub(crate) use value::{one_line, shown};
 
 const KEYS: &[Key] = &[
     key("max_depth", "5"),

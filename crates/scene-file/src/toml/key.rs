@@ -1,5 +1,7 @@
 //! The keys that a table may have, and what to write after them.
 
+use super::value::shown;
+
 /// The key of a value, and a value that would do.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Key {
@@ -25,16 +27,20 @@ impl Key {
     }
 }
 
+/// No key is longer, and comparing takes as long as one word times the other.
+const LONGEST: usize = 64;
+
 /// The name that somebody may have meant: the most similar one, if it is similar at all.
 pub(super) fn meant<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let close = |name: &&str| strsim::jaro(word, name) > 0.7;
-    let likeness = |name: &&str| strsim::jaro(word, name);
-    names.into_iter().filter(close).max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
+    let likeness = |name: &str| strsim::jaro(word, name);
+    let comparable = |name: &&str| word.len() <= LONGEST && name.len() <= LONGEST;
+    let close = names.into_iter().filter(comparable).filter(|name| likeness(name) > 0.7);
+    close.max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
 }
 
 /// Names as a sentence has them: `a`, `b` and `c`.
 pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    let mut names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    let mut names: Vec<String> = names.into_iter().map(shown).collect();
     match names.pop() {
         Some(last) if names.is_empty() => last,
         Some(last) => format!("{} and {last}", names.join(", ")),
@@ -53,6 +59,8 @@ mod tests {
         assert_eq!(meant("colour", names), Some("color"));
         assert_eq!(meant("zoom", names), None);
         assert_eq!(meant("", names), None);
+        let long = "a".repeat(1 << 20);
+        assert_eq!(meant(&long, [&*long]), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::key::{Key, key, listed, meant};
 use super::texture::texture;
-use super::value::Value;
+use super::value::{Value, shown};
 use crate::assets::Assets;
 use crate::{Error, Material};
 
@@ -42,10 +42,15 @@ impl<'t> Materials<'t> {
 
     /// What to write instead of a name that no material has.
     pub(super) fn instead_of(&self, name: &str) -> String {
-        let describe = format!("describe it under `[material.{name}]`");
+        let bare = !name.is_empty()
+            && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_".contains(&byte));
+        let describe = match bare {
+            true => format!("describe it under {}", shown(&format!("[material.{name}]"))),
+            false => format!("describe it under {}", shown(&format!("[material.{name:?}]"))),
+        };
         let names = || self.all.iter().map(|material| material.name.as_str());
         match meant(name, names()) {
-            Some(meant) => format!("write `material = \"{meant}\"`"),
+            Some(meant) => format!("write {}", shown(&format!("material = {meant:?}"))),
             None if self.all.is_empty() => describe,
             None => format!("write one of {}, or {describe}", listed(names().take(20))),
         }

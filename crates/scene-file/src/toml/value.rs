@@ -134,7 +134,7 @@ pub(crate) fn shown(text: &str) -> String {
 }
 
 /// A text in one line: what cannot be printed is escaped.
-pub(super) fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     let seen =
         |char: char| if char.is_control() { char.escape_debug().to_string() } else { char.to_string() };
     text.chars().map(seen).collect()

@@ -3,6 +3,7 @@
 mod bad_nff;
 mod bad_obj;
 mod bad_toml;
+mod corpus;
 mod files;
 mod good;
 mod nff;
