@@ -81,7 +81,7 @@ impl<R: Real> OpenCone<R> {
         if !(self.base.is_finite() && self.apex.is_finite() && radii.iter().all(|r| r.is_finite())) {
             return Err(Degenerate::NotFinite);
         }
-        crate::check(ray)?;
+        ray.check()?;
         let zero = R::from(0.0);
         if radii.iter().any(|&r| r < zero) || radii.iter().all(|&r| r == zero) {
             return Err(Degenerate::RadiusNotPositive);

@@ -81,7 +81,7 @@ fn sin_cos(degrees: f64) -> (f64, f64) {
 
 /// A deformation in another precision, each number rounded once.
 pub fn rounded<R: Real>(affine: &Affine<f64>) -> Affine<R> {
-    Affine { a: Matrix3 { columns: affine.a.columns.map(vector) }, t: vector::<R>(affine.t) }
+    Affine { a: Matrix3 { columns: affine.a.columns.map(vector::<R>) }, t: vector::<R>(affine.t) }
 }
 
 fn vector<R: Real>(v: <f64 as Real>::Vec3) -> R::Vec3 {

@@ -82,11 +82,7 @@ impl<R: Real> Try<R> {
 
 /// The rows of the table, in the order of the loop: all objects, or where they are many those that the line meets. And how
 /// many are left out.
-fn rows<R: Real>(
-    scene: &Scene<R>,
-    tries: &[Try<R>],
-    first: Option<First<R>>,
-) -> (Vec<Vec<Value>>, usize) {
+fn rows<R: Real>(scene: &Scene<R>, tries: &[Try<R>], first: Option<First<R>>) -> (Vec<Vec<Value>>, usize) {
     let (mut rows, mut left_out, mut best) = (Vec::new(), 0, None::<First<R>>);
     for (object, (it, result)) in scene.objects.iter().zip(tries).enumerate() {
         let (lambda, why) = match *result {
@@ -106,7 +102,14 @@ fn rows<R: Real>(
         }
         let lambda_ij = best.map_or(Value::number(R::INFINITY), |best| Value::number(best.lambda));
         let place = Value::text((object + 1).to_string());
-        rows.push(vec![place, Value::text(id(it)), Value::text(it.shape.name()), lambda, lambda_ij, Value::text(why)]);
+        rows.push(vec![
+            place,
+            Value::text(id(it)),
+            Value::text(it.shape.name()),
+            lambda,
+            lambda_ij,
+            Value::text(why),
+        ]);
     }
     (rows, left_out)
 }

@@ -129,8 +129,7 @@ fn in_scene(
     let times = time(&mut runners, Pass::Throughput, effort.timed, effort.rounds, effort.allowed);
     let points: Vec<(f64, f64)> = times.iter().zip(&offs).map(|(ns, off)| (ns.median, off.share())).collect();
     let all = wanted.into_iter().zip(times).zip(offs).zip(lab::front(&points));
-    let entry =
-        |((((method, precision), ns), off), on_front)| Entry { method, precision, ns, off, on_front };
+    let entry = |((((method, precision), ns), off), on_front)| Entry { method, precision, ns, off, on_front };
     Ok(Measured { name, what, objects: exact.objects.len(), size, entries: all.map(entry).collect() })
 }
 

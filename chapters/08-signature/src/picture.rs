@@ -9,11 +9,11 @@ use crate::false_color::{NOTHING, color_of};
 use crate::{Method, Scene};
 
 /// sig[i, j]: for each pixel the place of the object that it sees, from 0, row by row from the top.
-pub struct Seen {
+pub(crate) struct Seen {
     /// Columns and rows.
-    pub size: (u32, u32),
+    pub(crate) size: (u32, u32),
     /// One a pixel; `None` where nothing is hit.
-    pub objects: Vec<Option<u32>>,
+    pub(crate) objects: Vec<Option<u32>>,
 }
 
 impl Seen {
@@ -21,9 +21,8 @@ impl Seen {
     ///
     /// [`Error::Failed`] where the memory for a picture cannot be had.
     pub(crate) fn of<R: Real>(scene: &Scene<R>, method: Method) -> Result<Seen, Error> {
-        let objects = each_pixel(scene.size, |col, row| {
-            scene.seen(method, (col, row)).map(|object| object as u32)
-        })?;
+        let objects =
+            each_pixel(scene.size, |col, row| scene.seen(method, (col, row)).map(|object| object as u32))?;
         Ok(Seen { size: scene.size, objects })
     }
 
@@ -37,13 +36,13 @@ impl Seen {
     }
 
     /// The ids of a scene's objects in their pixels.
-    pub fn ids<R: Real>(&self, scene: &Scene<R>) -> Ids {
+    pub(crate) fn ids<R: Real>(&self, scene: &Scene<R>) -> Ids {
         let id = |object: &Option<u32>| object.and_then(|object| scene.objects[object as usize].id);
         Ids { size: self.size, ids: self.objects.iter().map(|object| id(object).unwrap_or(0)).collect() }
     }
 
     /// The false colors.
-    pub fn canvas(&self) -> Result<Canvas, Error> {
+    pub(crate) fn canvas(&self) -> Result<Canvas, Error> {
         let mut canvas = Canvas::new(self.size, NOTHING)?;
         let (width, objects) = (self.size.0 as usize, &self.objects);
         canvas.shade(|col, row| {
@@ -61,7 +60,13 @@ pub(crate) fn draw<R: Real>(seen: &Seen, scene: &Scene<R>, pixel: (u32, u32)) ->
     for (object, place) in label_places(seen) {
         if let Some(id) = scene.objects[object].id {
             let size = (0.03 * seen.size.1 as f32).clamp(9.0, 18.0);
-            canvas.plate((place.0, place.1 + size / 3.0), Anchor::Middle, size, Color::BLACK, &id.to_string());
+            canvas.plate(
+                (place.0, place.1 + size / 3.0),
+                Anchor::Middle,
+                size,
+                Color::BLACK,
+                &id.to_string(),
+            );
         }
     }
     let at = (pixel.0 as f32 + 0.5, pixel.1 as f32 + 0.5);

@@ -5,6 +5,7 @@ use tiny_skia::{
     Transform,
 };
 
+use crate::pixels::{by_row, no_memory, reserved};
 use crate::{Color, Error, font};
 
 /// A picture in the making.
@@ -93,28 +94,14 @@ impl Canvas {
         Ok(bytes)
     }
 
-    /// Colors every pixel by its column and row, on as many threads as the machine has: the strips of
-    /// rows are dealt out to them like cards. The picture does not depend on how many.
+    /// Colors every pixel by its column and row, on as many threads as the machine has. The picture does not depend
+    /// on how many.
     pub fn shade(&mut self, color: impl Fn(u32, u32) -> Color + Sync) {
-        const ROWS_EACH: u32 = 8;
-        let width = self.pixels.width();
-        let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get());
-        let strip_bytes = (ROWS_EACH as usize) * (width as usize) * 4;
-        let mut shares: Vec<Vec<(u32, &mut [u8])>> = (0..threads).map(|_| Vec::new()).collect();
-        for (strip, bytes) in self.pixels.data_mut().chunks_mut(strip_bytes).enumerate() {
-            shares[strip % threads].push((strip as u32 * ROWS_EACH, bytes));
-        }
-        let color = &color;
-        std::thread::scope(|scope| {
-            for share in shares {
-                scope.spawn(move || {
-                    for (first_row, bytes) in share {
-                        for (i, pixel) in (0..).zip(bytes.chunks_exact_mut(4)) {
-                            let Color([r, g, b]) = color(i % width, first_row + i / width);
-                            pixel.copy_from_slice(&[r, g, b, 255]);
-                        }
-                    }
-                });
+        let width = self.pixels.width() as usize;
+        by_row(self.pixels.data_mut(), 4 * width, |row, bytes| {
+            for (col, pixel) in (0..).zip(bytes.chunks_exact_mut(4)) {
+                let Color([r, g, b]) = color(col, row);
+                pixel.copy_from_slice(&[r, g, b, 255]);
             }
         });
     }
@@ -280,22 +267,6 @@ impl Canvas {
 }
 
 /// An empty vector with room for `bytes` bytes a pixel.
-fn reserved(bytes: usize, size: (u32, u32)) -> Result<Vec<u8>, Error> {
-    let total =
-        usize::try_from(u64::from(size.0) * u64::from(size.1)).ok().and_then(|n| n.checked_mul(bytes));
-    let mut data = Vec::new();
-    match total.map(|total| data.try_reserve_exact(total)) {
-        Some(Ok(())) => Ok(data),
-        _ => Err(no_memory(size)),
-    }
-}
-
-fn no_memory((width, height): (u32, u32)) -> Error {
-    Error::Failed(format!(
-        "there is no memory for a picture of {width}x{height} pixels; ask for a smaller --size"
-    ))
-}
-
 fn skia(Color([r, g, b]): Color) -> tiny_skia::Color {
     tiny_skia::Color::from_rgba8(r, g, b, 255)
 }

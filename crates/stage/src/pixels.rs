@@ -44,8 +44,7 @@ pub(crate) fn by_row<T: Send>(all: &mut [T], width: usize, fill: impl Fn(u32, &m
 
 /// Memory for so many values a pixel; [`Error::Failed`] where it cannot be had.
 pub(crate) fn reserved<T>(each: usize, size: (u32, u32)) -> Result<Vec<T>, Error> {
-    let total =
-        usize::try_from(u64::from(size.0) * u64::from(size.1)).ok().and_then(|n| n.checked_mul(each));
+    let total = usize::try_from(u64::from(size.0) * u64::from(size.1)).ok().and_then(|n| n.checked_mul(each));
     let mut data = Vec::new();
     match total.map(|total| data.try_reserve_exact(total)) {
         Some(Ok(())) => Ok(data),

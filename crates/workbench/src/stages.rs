@@ -11,6 +11,7 @@ pub static ALL: &[&dyn Stage] = &[
     &triangle::stage::RayTriangle,
     &quadric::stage::Quadric,
     &affine::stage::Affine,
+    &signature::stage::Signature,
 ];
 
 /// The names of them all.

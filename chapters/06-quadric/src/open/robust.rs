@@ -10,7 +10,7 @@ use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector, W
 use super::line::Line;
 use super::{OpenCone, Verdict};
 use crate::Hit3;
-use crate::robust::Certainty;
+use math::Certainty;
 
 /// Every number of the robust method.
 ///

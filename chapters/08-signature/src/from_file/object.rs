@@ -16,10 +16,7 @@ use super::{TOO_LARGE, vector};
 use crate::{Object, Shape, Transform, deform};
 
 /// An object where it stands in the world.
-pub(super) fn object<R: Real>(
-    file: &scene_file::Scene,
-    it: &scene_file::Object,
-) -> Result<Object<R>, Error> {
+pub(super) fn object<R: Real>(file: &scene_file::Scene, it: &scene_file::Object) -> Result<Object<R>, Error> {
     let steps: Vec<Transform> = it.transform.iter().map(|step| transform(step.value)).collect();
     let by = deform::composed(&steps);
     let by = if steps.is_empty() { None } else { Some(&by) };
@@ -56,7 +53,8 @@ fn shape<R: Real>(
             let plane = by.map_or(plane, |by| deform::plane(&plane, by));
             // the length of a normal means nothing, and in R it might overflow or vanish
             let normal = plane.normal.normalized();
-            let plane = Plane { point: vector::<R>(plane.point.in_f64()), normal: vector::<R>(normal.in_f64()) };
+            let plane =
+                Plane { point: vector::<R>(plane.point.in_f64()), normal: vector::<R>(normal.in_f64()) };
             plane.check(&any_ray()).map_err(degenerate)?;
             Ok(Shape::Plane(plane))
         }
@@ -71,8 +69,8 @@ fn shape<R: Real>(
             }
         },
         scene_file::Shape::Triangle { vertices } => {
-            let [a, b, c] = vertices.map(moved);
-            let triangle = Triangle { a, b, c };
+            let [p1, p2, p3] = vertices.map(moved);
+            let triangle = Triangle { p1, p2, p3 };
             triangle.check(&any_ray()).map_err(degenerate)?;
             Ok(Shape::Triangle(triangle))
         }
@@ -106,8 +104,7 @@ fn shape<R: Real>(
             Ok(Shape::OpenCone(cone))
         }
         scene_file::Shape::Patch { vertices, normals } => {
-            let fan: Vec<[usize; 3]> =
-                (2..vertices.len()).map(|corner| [0, corner - 1, corner]).collect();
+            let fan: Vec<[usize; 3]> = (2..vertices.len()).map(|corner| [0, corner - 1, corner]).collect();
             let at_corners: Vec<[Option<R::Vec3>; 3]> =
                 fan.iter().map(|face| face.map(|vertex| Some(turned::<R>(normals[vertex], by)))).collect();
             let vertices = vertices.iter().copied().map(moved).collect();
