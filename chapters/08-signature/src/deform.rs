@@ -95,7 +95,7 @@ fn vector<R: Real>(v: <f64 as Real>::Vec3) -> R::Vec3 {
 pub fn sphere<R: Real>(sphere: &Sphere<f64>, by: &Affine<f64>) -> Result<Shape<R>, Degenerate> {
     let a = Matrix3 { columns: by.a.columns.map(|column| column * sphere.radius) };
     let whole = Affine { a, t: by.apply(sphere.center) };
-    Ok(Shape::Deformed(Deformed::new(Object::Sphere, rounded(&whole))?))
+    Ok(Shape::Deformed(Box::new(Deformed::new(Object::Sphere, rounded(&whole))?)))
 }
 
 /// The unit cylinder or cone deformed. Errors as [`sphere`].
@@ -104,7 +104,7 @@ pub fn solid<R: Real>(solid: Solid, by: &Affine<f64>) -> Result<Shape<R>, Degene
         Solid::Cylinder => Object::Cylinder,
         Solid::Cone => Object::Cone,
     };
-    Ok(Shape::Deformed(Deformed::new(object, rounded(by))?))
+    Ok(Shape::Deformed(Box::new(Deformed::new(object, rounded(by))?)))
 }
 
 /// A plane deformed: a point of it is moved, and its normal becomes A⁻ᵀ n (CSC418 11.6.1), here adj(A)ᵀ n, which is

@@ -91,10 +91,10 @@ fn rows<R: Real>(scene: &Scene<R>, tries: &[Try<R>], first: Option<First<R>>) ->
             Try::Along(how) => (Value::text("none"), format!("missed: {}", how.reason())),
             Try::Miss => (Value::text("none"), "missed".to_string()),
         };
-        if let Try::Hit(lambda) = *result {
-            if best.is_none_or(|best| lambda < best.lambda) {
-                best = Some(First { object, lambda });
-            }
+        if let Try::Hit(lambda) = *result
+            && best.is_none_or(|best| lambda < best.lambda)
+        {
+            best = Some(First { object, lambda });
         }
         if scene.objects.len() > ROWS && !matches!(result, Try::Hit(_) | Try::Behind(_)) {
             left_out += 1;

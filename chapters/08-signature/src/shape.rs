@@ -28,8 +28,9 @@ pub enum Shape<R: Real> {
     Solid(quadric::Shape),
     /// Chapter 06: NFF's cone, without caps.
     OpenCone(OpenCone<R>),
-    /// Chapter 07: a sphere, cylinder or cone by (A, t).
-    Deformed(Deformed<R>),
+    /// Chapter 07: a sphere, cylinder or cone by (A, t). It keeps much that depends on A alone: in a box of its own, so that a
+    /// list of spheres stays short.
+    Deformed(Box<Deformed<R>>),
 }
 
 impl<R: Real> Shape<R> {

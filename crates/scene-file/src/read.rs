@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::assets::Assets;
+use crate::assets::{Assets, Files};
 use crate::file::bytes_of;
 use crate::limits::{FACES, NFF_BYTES, TOML_BYTES};
 use crate::source::Source;
@@ -27,16 +27,34 @@ impl Scene {
         let source = Source::from_bytes(name, bytes, None)?;
         match is_nff {
             true => nff::scene(source),
-            false => toml::scene(source, &mut Assets::new(path.parent().unwrap_or(Path::new("")))),
+            false => {
+                let folder = path.parent().unwrap_or(Path::new(""));
+                toml::scene(source, &mut Assets::new(Files::In(folder)))
+            }
+        }
+    }
+
+    /// Reads a scene that is part of the program, and so are the files that it names: of all these files, with what is
+    /// in them, the one called `name`.
+    ///
+    /// Errors as those of [`Scene::read`].
+    pub fn built_in(name: &str, files: &[(&str, &[u8])]) -> Result<Scene, Error> {
+        let Some((_, bytes)) = files.iter().find(|(file, _)| *file == name) else {
+            return Err(Error::unreadable(name, "it is not built in", "name a scene that is"));
+        };
+        let source = Source::from_bytes(name.to_string(), bytes.to_vec(), None)?;
+        match name.ends_with(".nff") {
+            true => nff::scene(source),
+            false => toml::scene(source, &mut Assets::new(Files::BuiltIn(files))),
         }
     }
 
     /// Reads a scene in TOML that is a text: `name` is what errors call it, and the files that it names are in
-    /// `folder`. For scenes that are built in, and for tests.
+    /// `folder`.
     ///
     /// Errors as those of [`Scene::read`].
     pub fn from_toml(name: &str, text: &str, folder: &Path) -> Result<Scene, Error> {
-        toml::scene(Source::new(name, text), &mut Assets::new(folder))
+        toml::scene(Source::new(name, text), &mut Assets::new(Files::In(folder)))
     }
 
     /// Reads a scene in NFF that is a text: `name` is what errors call it.
