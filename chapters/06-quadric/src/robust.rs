@@ -18,7 +18,7 @@ mod verdict;
 use math::wide::{exponent_of, scaled};
 use math::{Bounded, Certainty, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector};
 
-use crate::{Hit3, Part, Shape};
+use crate::{Hit3, Shape};
 
 pub use line::{Line, rise_to};
 pub use verdict::{Place, Verdict};
@@ -107,51 +107,50 @@ impl<R: Real> Robust<R> {
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.ray.check()?;
-        let (Some(part), Some(lambda)) = (self.verdict.part(), self.lambda) else { return Ok(None) };
-        let (part, lambda) = if lambda < span.min { self.exit() } else { (part, lambda) };
-        if !span.contains(lambda) {
-            return Ok(None);
-        }
+        let Some(lambda) = self.lambda else { return Ok(None) };
+        let (verdict, lambda) = if lambda < span.min { self.exit() } else { (self.verdict, lambda) };
+        let Some(part) = verdict.part().filter(|_| span.contains(lambda)) else { return Ok(None) };
         let t = lambda + R::from(0.0); // minus zero is zero
-        let point = if t.is_finite() { self.ray.at(t) } else { self.far_point() };
+        let at_t = self.ray.at(t);
+        let point = if at_t.is_finite() { at_t } else { self.far_point(verdict) };
         Ok(Some(Hit { t, point, normal: self.shape.normal::<R>(part, point) }))
     }
 
-    /// Where the ray meets the solid though λ is beyond the largest number. The direction is then so short that one
-    /// 2^k times as long leads to the same point, by a λ that is a number.
+    /// Where the ray meets the solid though λ, or o + λ d as it is rounded, is beyond the largest number. In the one
+    /// case the direction is so short that one 2^k times as long leads to the same point, by a λ that is a number; in
+    /// the other o is so large that half of everything is added up.
     #[cold]
     #[inline(never)]
-    fn far_point(&self) -> R::Vec3 {
+    fn far_point(&self, verdict: Verdict) -> R::Vec3 {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let longest = d.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
         let longer = d.map(|component| scaled(component, -exponent_of(longest)));
-        let (lambda, _) = lambda_of::<f64>(self.shape, o, longer, self.verdict);
-        let point = std::array::from_fn(|axis| R::round_from(o[axis] + lambda.unwrap_or(0.0) * longer[axis]));
-        let [x, y, z] = point;
+        let (lambda, _) = lambda_of::<f64>(self.shape, o, longer, verdict);
+        let half = lambda.unwrap_or(0.0) / 2.0;
+        let [x, y, z] = [0, 1, 2].map(|axis| R::round_from(2.0 * (o[axis] / 2.0 + half * longer[axis])));
         R::vec3(x, y, z)
     }
 
     /// Where a line that meets the solid leaves it.
     #[cold]
     #[inline(never)]
-    fn exit(&self) -> (Part, R) {
+    fn exit(&self) -> (Verdict, R) {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let line = Line::<Bounded<TwoPart>>::beside_unit(self.shape, o, d);
-        let with_two_parts =
-            line.exit().and_then(|place| Some((place.part, line.lambda_where_f_rises(place)?)));
-        with_two_parts.unwrap_or_else(|| {
+        let with_two_parts = line.exit().and_then(|place| Some((place, line.lambda_where_f_rises(place)?)));
+        let exactly = || {
             let line = Line::<Exact>::beside_unit(self.shape, o, d);
-            let place = line.exit();
-            let lambda = place.and_then(|place| line.lambda_where_f_rises(place));
-            (place.map_or(Part::Wall, |place| place.part), lambda.unwrap_or(-R::INFINITY))
-        })
+            line.exit().and_then(|place| Some((place, line.lambda_where_f_rises(place)?)))
+        };
+        let exit = with_two_parts.or_else(exactly);
+        exit.map_or((Verdict::Misses, -R::INFINITY), |(place, lambda)| (Verdict::Leaves(place), lambda))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
+    use glam::{DVec3, Vec3};
 
     #[test]
     fn a_lambda_beyond_the_largest_number_has_a_point() {
@@ -160,5 +159,26 @@ mod tests {
         let ray = Ray3::<f32>::new(Vec3::new(-3.0, 0.0, 0.0), direction);
         let hit = robust(&ray, Shape::Cylinder).hit(Span::ahead()).unwrap().unwrap();
         assert_eq!((hit.t, hit.point, hit.normal), (f32::INFINITY, -Vec3::X, -Vec3::X));
+        // and it leaves at x = 1
+        let on_wall = Ray3::<f32>::new(-Vec3::X, direction);
+        let beyond = Span::new(f32::MIN_POSITIVE, f32::INFINITY);
+        let exit = robust(&on_wall, Shape::Cylinder).hit(beyond).unwrap().unwrap();
+        assert_eq!((exit.t, exit.point, exit.normal), (f32::INFINITY, Vec3::X, Vec3::X));
+    }
+
+    /// From the largest number there is, a rounded λ d leads beyond the largest.
+    #[test]
+    fn from_the_largest_number_there_is_a_point_and_a_normal() {
+        for shape in Shape::ALL {
+            for sign in [1.0, -1.0] {
+                let x = sign * f64::MAX;
+                // by hand: λ is MAX / MAX.next_down(), 1 + 2^−53 and a bit: rounded it is 1 + 2^−52
+                let ray = Ray3::<f64>::new(DVec3::X * x, DVec3::X * -(sign * f64::MAX.next_down()));
+                assert!(!ray.at(1.0_f64.next_up()).is_finite());
+                let hit = robust(&ray, shape).hit(Span::ahead()).unwrap().unwrap();
+                assert_eq!(hit.t, 1.0_f64.next_up(), "{shape:?}");
+                assert!(hit.point.is_finite() && (hit.normal.length() - 1.0).abs() < 1e-15, "{hit:?}");
+            }
+        }
     }
 }
