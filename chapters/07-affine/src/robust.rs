@@ -28,6 +28,7 @@
 //! microseconds for a tie, for an origin on the surface, and for numbers at the ends of the range.
 
 mod corrected;
+mod exact;
 mod flat;
 mod line;
 mod place;
@@ -38,7 +39,7 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
-use math::{Certainty, Degenerate, Hit, Ray3, Real, Span, Vector};
+use math::{Certainty, Degenerate, Hit, Ray3, Real, Span, Vector, Wide};
 use quadric::robust::Verdict;
 
 use crate::{Deformed, Found, Hit3};
@@ -154,13 +155,27 @@ impl<R: Real> Robust<'_, R> {
         let along = d.map(|d| lambda * d);
         let across: [f64; 3] = [0, 1, 2].map(|axis| e_x[axis] * x + e_y[axis] * y + e_z[axis] * z);
         let size = |v: [f64; 3]| v[0].abs() + v[1].abs() + v[2].abs();
-        let sum = match () {
-            _ if size(across) < size(along) => [0, 1, 2].map(|axis| t[axis] + across[axis]),
-            _ if lambda.is_finite() => [0, 1, 2].map(|axis| a[axis] + along[axis]),
-            // 0 · ∞ is no number
-            _ => return self.ray.at(crossing.lambda),
-        };
+        let (from, way) = if size(along) <= size(across) { (a, along) } else { (t, across) };
+        let sum = [0, 1, 2].map(|axis| from[axis] + way[axis]);
+        if !size(sum).is_finite() {
+            return self.far_point(crossing);
+        }
         let [x, y, z] = sum.map(R::round_from);
+        R::vec3(x, y, z)
+    }
+
+    /// A r′(λ*) + t in numbers that do not overflow on the way, where λ* or something else does.
+    #[cold]
+    #[inline(never)]
+    fn far_point(&self, crossing: &Crossing<R>) -> R::Vec3 {
+        if !crossing.p.iter().all(|x| x.is_finite()) {
+            return self.ray.at(crossing.lambda);
+        }
+        let Deformed { affine, .. } = self.deformed;
+        let [e_x, e_y, e_z] = affine.a.columns.map(Wide::vector::<R, 3>);
+        let ([x, y, z], t) = (crossing.p.map(Wide::from), Wide::vector::<R, 3>(affine.t));
+        let sum = [0, 1, 2].map(|axis| t[axis] + e_x[axis] * x + e_y[axis] * y + e_z[axis] * z);
+        let [x, y, z] = sum.map(|x| R::round_from(x.to_f64()));
         R::vec3(x, y, z)
     }
 }

@@ -23,6 +23,9 @@ pub(super) struct Corrected<R> {
     pub(super) p: [f64; 3],
 }
 
+/// By its bound, which is nearly always much too large, half of the digits of a point are right.
+const HALF_THE_DIGITS: f64 = 1.0 / (1u64 << 26) as f64;
+
 /// λ of a place where the line enters or leaves; `None` where it takes more than this.
 #[inline(always)]
 pub(super) fn corrected<R: Real>(
@@ -46,8 +49,12 @@ pub(super) fn corrected<R: Real>(
             if enters { rest / (root - b) } else { -(rest / (root + b)) }
         }
     };
-    let p = [0, 1, 2].map(|axis| (q[axis].value.hi + delta.value * d[axis].value) / line.s.value);
-    Some(Corrected { lambda: delta.added_to(rough)?, p })
+    let p = [0, 1, 2].map(|axis| leading(q[axis]) + delta * d[axis]);
+    let s = line.s.value;
+    if !p.iter().all(|p| p.error <= HALF_THE_DIGITS * (p.value.abs() + s)) {
+        return None;
+    }
+    Some(Corrected { lambda: delta.added_to(rough)?, p: p.map(|p| p.value / s) })
 }
 
 /// q = adj A (a − t + λ0 d) sgn det A

@@ -3,9 +3,11 @@
 //! o″ + λ d″ would be the shorter way, and for an object squashed a million times it loses six digits: both are large
 //! there and p is not. Here nothing large is subtracted, and only the square root needs the careful numbers.
 
+use math::{Real, Vector};
 use quadric::robust::Place;
 use quadric::{Part, Shape};
 
+use super::solve::shape_of;
 use crate::Object;
 
 /// A line in the object's own space, with d of any length: the points p with p × d = w.
@@ -85,14 +87,19 @@ fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
 /// The outward unit normal of the unit object at a point of a part of it.
 #[inline(always)]
 pub(super) fn normal(object: Object, part: Part, p: [f64; 3]) -> [f64; 3] {
-    let of_solid = |shape: Shape| {
-        let point = <f64 as math::Real>::vec3(p[0], p[1], p[2]);
-        <f64 as math::Real>::xyz(shape.normal::<f64>(part, point))
-    };
-    match object {
-        Object::Sphere => p,
-        Object::Cylinder => of_solid(Shape::Cylinder),
-        Object::Cone => of_solid(Shape::Cone),
-        Object::Plane | Object::Triangle => [0.0, 0.0, 1.0],
+    match (object, shape_of(object)) {
+        (Object::Sphere, _) => p,
+        (_, Some(shape)) => f64::xyz(shape.normal::<f64>(part, f64::vec3(p[0], p[1], p[2]))),
+        (_, None) => [0.0, 0.0, 1.0],
+    }
+}
+
+/// The same in any length: not rounded by the one that makes it 1.
+pub(super) fn outward(object: Object, part: Part, p: [f64; 3]) -> [f64; 3] {
+    let gradient = |shape: Shape| shape.half_gradient::<f64>(f64::vec3(p[0], p[1], p[2]));
+    match shape_of(object).map(gradient) {
+        // that of the apex is zero
+        Some(gradient) if part == Part::Wall && !gradient.is_zero() => f64::xyz(gradient),
+        _ => normal(object, part, p),
     }
 }

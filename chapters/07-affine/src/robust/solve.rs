@@ -2,14 +2,15 @@
 
 use std::cmp::Ordering;
 
-use math::{Bounded, Certainty, Exact, Quadratic, Ray3, Real, Sure, TwoPart, Wide};
+use math::{Bounded, Certainty, Quadratic, Ray3, Real, Sure, TwoPart};
 use quadric::robust::{Place, Verdict, rise_to};
 use quadric::{Part, Shape};
 
 use super::corrected::{Corrected, corrected};
+use super::exact::ExactLine;
 use super::line::Line;
 use super::place::{self, Plucker};
-use super::{Crossing, Steps, flat, solid, sphere, stored};
+use super::{Crossing, Steps, flat, solid, sphere};
 use crate::{Deformed, Object};
 
 /// What was found.
@@ -20,7 +21,7 @@ pub(super) struct Solved<R> {
 }
 
 /// The solid of chapter 06 that it is; `None` for the others.
-fn shape_of(object: Object) -> Option<Shape> {
+pub(super) fn shape_of(object: Object) -> Option<Shape> {
     match object {
         Object::Cylinder => Some(Shape::Cylinder),
         Object::Cone => Some(Shape::Cone),
@@ -29,7 +30,7 @@ fn shape_of(object: Object) -> Option<Shape> {
 }
 
 impl<N: Sure> Line<N> {
-    /// What the ray meets, by signs alone; `None` in doubt, which with [`Exact`] nothing is.
+    /// What the ray meets, by signs alone; `None` in doubt, which with [`math::Exact`] nothing is.
     #[inline(always)]
     fn verdict(&self, object: Object) -> Option<Verdict> {
         match object {
@@ -51,7 +52,7 @@ impl<N: Sure> Line<N> {
 
     /// D / s² of it.
     #[inline(always)]
-    fn chord(&self, object: Object) -> N {
+    pub(super) fn chord(&self, object: Object) -> N {
         match object {
             Object::Sphere => sphere::chord(self),
             Object::Cylinder => solid::chord(self, Shape::Cylinder),
@@ -62,7 +63,7 @@ impl<N: Sure> Line<N> {
 
     /// λ of a place where the line enters or leaves; `None` in doubt.
     #[inline(always)]
-    fn lambda<R: Real>(&self, object: Object, place: Place, enters: bool) -> Option<R> {
+    pub(super) fn lambda<R: Real>(&self, object: Object, place: Place, enters: bool) -> Option<R> {
         if let Some(plane) = place.plane {
             return N::quotient(&self.rise_to(plane), &self.d[2]);
         }
@@ -83,7 +84,7 @@ impl<N: Sure> Line<N> {
 
 /// The place that a verdict names, and whether the ray comes from without.
 #[inline(always)]
-fn place_of(verdict: Verdict) -> Option<(Place, bool)> {
+pub(super) fn place_of(verdict: Verdict) -> Option<(Place, bool)> {
     match verdict {
         Verdict::Misses => None,
         Verdict::Starts(part) => Some((Place { part, plane: None }, true)),
@@ -210,50 +211,6 @@ fn crossing_at<R: Real>(
     let fits = p.iter().chain(&m).all(|x| x.is_finite()) && largest > 0.0;
     let lambda = lambda + R::from(0.0); // minus zero is zero
     fits.then(|| Crossing { lambda, p, n, a_inverse_transposed_n: m.map(|x| x / largest), enters })
-}
-
-/// The line in integers as long as it takes.
-struct ExactLine {
-    line: Line<Exact>,
-    /// adj A sgn det A
-    adjugate: [[Exact; 3]; 3],
-}
-
-impl ExactLine {
-    fn of<R: Real>(ray: &Ray3<R>, deformed: &Deformed<R>) -> ExactLine {
-        let scaled = stored::exactly(&deformed.affine);
-        ExactLine { adjugate: scaled.adjugate.clone(), line: Line::of(ray, deformed, scaled) }
-    }
-
-    /// The crossing that a verdict names, in numbers that cannot overflow; `None` for a miss.
-    fn crossing<R: Real>(&self, deformed: &Deformed<R>, verdict: Verdict) -> Option<Crossing<R>> {
-        let (object, line) = (deformed.object, &self.line);
-        let (place, enters) = place_of(verdict)?;
-        let wide = |v: &[Exact; 3]| [v[0].to_wide(), v[1].to_wide(), v[2].to_wide()];
-        let (lambda, p) = if let Verdict::Starts(_) = verdict {
-            let s = line.s.to_wide();
-            (R::from(0.0), wide(&line.o).map(|x| (x / s).to_f64()))
-        } else {
-            // d and w may be multiplied by any number: d by one that makes it fit.
-            let (d, w, largest) = (wide(&line.d), wide(&line.w), largest(wide(&line.d)));
-            let chord = (line.chord(object).to_wide() / (largest * largest)).to_f64();
-            let [d, w] = [d, w].map(|v| v.map(|x| (x / largest).to_f64()));
-            (line.lambda(object, place, enters)?, Plucker { d, w, chord }.point(object, place, enters))
-        };
-        let n = place::normal(object, place.part, p);
-        let [x, y, z] = [0, 1, 2].map(|row| wide(&self.adjugate[row]));
-        let normal = n.map(Wide::from);
-        let m = [0, 1, 2].map(|axis| x[axis] * normal[0] + y[axis] * normal[1] + z[axis] * normal[2]);
-        let longest = largest(m);
-        let a_inverse_transposed_n = m.map(|x| (x / longest).to_f64());
-        Some(Crossing { lambda: lambda + R::from(0.0), p, n, a_inverse_transposed_n, enters })
-    }
-}
-
-/// The size of the largest component of a vector that is not zero.
-fn largest(v: [Wide; 3]) -> Wide {
-    let size = |x: Wide| if x.is_negative() { -x } else { x };
-    v.into_iter().map(size).fold(Wide::ZERO, |most, x| if (most - x).is_negative() { x } else { most })
 }
 
 impl<N: Sure> Line<N> {

@@ -36,12 +36,11 @@ fn closed_forms() {
 /// A ray that starts on the surface and looks farther finds where it leaves.
 #[test]
 fn what_comes_too_early_is_passed_over() {
-    let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let beyond = Span::new(1e-3, f64::INFINITY);
     for (object, from, leaves_at) in
         [(Object::Sphere, -1.0, 2.0), (Object::Cylinder, -1.0, 2.0), (Object::Cone, 0.0, 1.0)]
     {
-        let deformed = deformed(object, identity, [0.0; 3]);
+        let deformed = deformed(object, IDENTITY, [0.0; 3]);
         let inward = Ray3::new(DVec3::new(0.0, 0.0, from), DVec3::Z);
         assert_eq!(robust(&inward, &deformed).hit(Span::ahead()).unwrap().unwrap().t, 0.0);
         let hit = robust(&inward, &deformed).hit(beyond).unwrap().unwrap();
@@ -49,7 +48,7 @@ fn what_comes_too_early_is_passed_over() {
         let outward = Ray3::new(DVec3::new(0.0, 0.0, from), -DVec3::Z);
         assert_eq!(robust(&outward, &deformed).hit(beyond).unwrap(), None);
     }
-    let plane = deformed(Object::Plane, identity, [0.0; 3]);
+    let plane = deformed(Object::Plane, IDENTITY, [0.0; 3]);
     assert_eq!(robust(&Ray3::new(DVec3::ZERO, DVec3::Z), &plane).hit(beyond).unwrap(), None);
 }
 
@@ -72,6 +71,57 @@ fn a_tangent_is_a_tangent_at_every_scale() {
             assert!(hit((3.0 * scale).next_down()).is_some());
         }
     }
+}
+
+const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// By hand, with ε = 1e−72: in the object's own space the ray is (0, 0, −1) + λ (−½, 0, 1), along the cone's slope, and
+/// touches its rim at (−½, 0, 0), where n is along (−2, 0, 1). A⁻ᵀ n is m with m · A e_x = −2, m · A e_y = 0 and
+/// m · A e_z = 1: (0, −1, 0). In `f64` the form of the slope is nothing or anything.
+#[test]
+fn along_the_slope_of_a_cone_squashed_flat() {
+    let rows = [[-2.0, -2.0, 0.0], [2.0, 0.0, -1.0], [2.0, -1e-72, -1.0]];
+    let cone = deformed(Object::Cone, rows, [-2.0, 1.0, 1.0]);
+    let ray = Ray3::new(DVec3::new(-2.0, 2.0, 2.0), DVec3::new(1.0, -2.0, -2.0));
+    let hit = robust(&ray, &cone).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point, hit.normal), (1.0, DVec3::new(-1.0, 0.0, 0.0), -DVec3::Y));
+}
+
+/// By hand: x = −2 + 1 at λ = 2^600, where z = 0. The square of d_x vanishes.
+#[test]
+fn through_the_wall_all_but_along_the_axis() {
+    let far = 2.0_f64.powi(600);
+    let ray = Ray3::new(DVec3::new(-2.0, 0.0, -far), DVec3::new(1.0 / far, 0.0, 1.0));
+    let cylinder = deformed(Object::Cylinder, IDENTITY, [0.0; 3]);
+    let hit = robust(&ray, &cylinder).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point, hit.normal), (far, -DVec3::X, -DVec3::X));
+}
+
+/// By hand: −1 is 2 away, which is 2^1075 directions of 2^−1074; a plane at the largest number from beside its negative,
+/// twice that number away.
+#[test]
+fn a_lambda_beyond_the_largest_number_has_a_point() {
+    let infinite = f64::INFINITY;
+    let sphere = deformed(Object::Sphere, IDENTITY, [0.0; 3]);
+    let ray = Ray3::new(DVec3::new(-3.0, 0.0, 0.0), DVec3::X * f64::from_bits(1));
+    let hit = robust(&ray, &sphere).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point, hit.normal), (infinite, -DVec3::X, -DVec3::X));
+
+    let plane = deformed(Object::Plane, IDENTITY, [0.0, 0.0, f64::MAX]);
+    let ray = Ray3::new(DVec3::new(3.0, 0.0, -f64::MAX), DVec3::Z);
+    let hit = robust(&ray, &plane).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point), (infinite, DVec3::new(3.0, 0.0, f64::MAX)));
+}
+
+/// λ is right to its last digit and the point of the same way had none: the sphere is met where x and y are of size 1 and
+/// z is squashed to 1e−308.
+#[test]
+fn a_point_without_digits_is_worked_out_again() {
+    let rows = [[-1.0, 0.0, 0.0], [0.0, -0.7, -1.0], [0.0, 1.0, 1.0]];
+    let sphere = deformed(Object::Sphere, rows, [-f64::MIN_POSITIVE, 1.0, -f64::EPSILON]);
+    let ray = Ray3::new(DVec3::new(0.8, -2.0, -f64::MIN_POSITIVE), DVec3::new(f64::EPSILON, 1.0, 0.0));
+    let first = robust(&ray, &sphere).first.unwrap();
+    assert!((DVec3::from(first.p).length() - 1.0).abs() < 1e-15, "{first:?}");
 }
 
 /// Each kind of number is used by the rays that it is for.
