@@ -54,7 +54,8 @@ pub fn runner<'a, Q: 'a, R: Real, V: Vector<R>>(
 /// `rounds`. For each runner its figure.
 ///
 /// So many rays that the processor cannot learn by heart which of them hit, as it does with a thousand. A
-/// runner that would take longer than [`LONGEST_PASS`] for them takes fewer.
+/// runner that would take longer for them than [`LONGEST_PASS`], or than its share of the time allowed, takes
+/// fewer, but never less than a few hundred.
 pub fn time(
     runners: &mut [Runner<'_>],
     pass: Pass,
@@ -63,6 +64,8 @@ pub fn time(
     allowed: Duration,
 ) -> Vec<Nanoseconds> {
     const FEWEST: usize = 3;
+    let share_of_time = allowed / (FEWEST * runners.len().max(1)) as u32;
+    let longest_pass = share_of_time.min(LONGEST_PASS).as_secs_f64();
     let timed = |runner: &mut Runner<'_>, rays: usize| {
         let start = Instant::now();
         let done = runner(pass, rays);
@@ -73,7 +76,7 @@ pub fn time(
         .iter_mut()
         .map(|runner| {
             let seconds = timed(runner, A_FEW.min(rays));
-            ((LONGEST_PASS.as_secs_f64() / seconds) as usize).max(A_FEW).min(rays)
+            ((longest_pass / seconds) as usize).max(A_FEW).min(rays)
         })
         .collect();
     let mut rounds_of: Vec<Vec<f64>> = vec![Vec::new(); runners.len()];
@@ -135,6 +138,30 @@ mod tests {
             assert_eq!(runner(&questions, hit)(pass, 4), 4);
             assert_eq!(asked.take(), questions[..4], "{pass:?}");
         }
+    }
+
+    /// A microsecond a ray at least: by hand, three rounds of two runners in 6 ms leave 1 ms for a pass, 1000 rays.
+    #[test]
+    fn a_slow_runner_takes_fewer_rays() {
+        let most = Cell::new(0);
+        let slow = || {
+            let most = &most;
+            let runner: Runner<'_> = Box::new(move |_, rays| {
+                let start = Instant::now();
+                while start.elapsed() < Duration::from_micros(rays as u64) {}
+                most.set(most.get().max(rays));
+                rays
+            });
+            runner
+        };
+        let most_within = |allowed| {
+            most.set(0);
+            time(&mut [slow(), slow()], Pass::Throughput, 100_000, 3, allowed);
+            most.get()
+        };
+        assert!((A_FEW..=1000).contains(&most_within(Duration::from_millis(6))));
+        assert!((A_FEW..=4000).contains(&most_within(Duration::MAX)), "the longest pass");
+        assert_eq!(most_within(Duration::ZERO), A_FEW);
     }
 
     #[test]
