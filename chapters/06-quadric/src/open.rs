@@ -17,6 +17,7 @@
 //! [`OpenCone::bounds`] a box around it all.
 
 mod bounds;
+mod crossing;
 mod line;
 mod normal;
 pub mod notes;

@@ -12,32 +12,23 @@ use super::{End, OpenCone};
 #[derive(Clone, Debug)]
 pub(super) struct Line<N> {
     /// Its direction, not zero.
-    d: [N; 3],
+    pub(super) d: [N; 3],
     /// o − b and o − (b + v): from the middles of the two ends to the origin.
     from: [[N; 3]; 2],
     /// r_b and r_a
-    radii: [N; 2],
+    pub(super) radii: [N; 2],
     /// k = r_a − r_b
-    k: N,
+    pub(super) k: N,
     /// v
-    v: [N; 3],
+    pub(super) v: [N; 3],
     /// v·v
-    vv: N,
+    pub(super) vv: N,
     /// p·v: s v·v at the origin.
-    height: N,
+    pub(super) height: N,
     /// −(p − v)·v: (1 − s) v·v at the origin.
-    depth: N,
+    pub(super) depth: N,
     /// d·v: how fast s v·v rises.
-    rise: N,
-}
-
-/// Where the line crosses the plane of an end, everything times d·v, so that nothing is divided.
-pub(super) struct Crossing<N> {
-    /// The sign of f at the crossing: below zero within the wall.
-    pub(super) wall: Ordering,
-    /// From the middle of the end to the crossing, times d·v.
-    across: [N; 3],
-    end: End,
+    pub(super) rise: N,
 }
 
 impl<N: Sure> Line<N> {
@@ -92,39 +83,8 @@ impl<N: Sure> Line<N> {
 
     /// The moment of the line about the middle of an end: (o − middle) × d.
     #[inline(always)]
-    fn moment(&self, end: End) -> [N; 3] {
+    pub(super) fn moment(&self, end: End) -> [N; 3] {
         N::cross(&self.from[end as usize], &self.d)
-    }
-
-    /// λ of the crossing with the plane of an end, where d·v is not zero.
-    #[inline(always)]
-    pub(super) fn to_end<R: Real>(&self, end: End) -> Option<R> {
-        match end {
-            End::Base => N::quotient(&-self.height.clone(), &self.rise),
-            End::Apex => N::quotient(&self.depth, &self.rise),
-        }
-    }
-
-    /// The crossing with the plane of an end, where d·v is not zero; `None` in doubt.
-    ///
-    /// There x − middle is (p d·v − d p·v) / d·v, and that is v × (p × d) / d·v.
-    #[inline(always)]
-    pub(super) fn crossing(&self, end: End) -> Option<Crossing<N>> {
-        let across = N::cross(&self.v, &self.moment(end));
-        let radius = self.radii[end as usize].clone() * self.rise.clone();
-        let wall = (N::dot(&across, &across) - radius.clone() * radius).sign()?;
-        Some(Crossing { wall, across, end })
-    }
-
-    /// Whether f falls or rises along the ray where it crosses a plane; `None` in doubt.
-    ///
-    /// Half of the slope of the distance's square less r², times v·v (d·v)²: (v·v (across · d) − r k (d·v)²) d·v.
-    #[inline(always)]
-    pub(super) fn slope(&self, at: &Crossing<N>) -> Option<Ordering> {
-        let radius = self.radii[at.end as usize].clone() * self.k.clone();
-        let along = self.vv.clone() * N::dot(&at.across, &self.d);
-        let times_rise = (along - radius * (self.rise.clone() * self.rise.clone())).sign()?;
-        Some(if self.rises()? == Ordering::Less { times_rise.reverse() } else { times_rise })
     }
 
     /// p × v and d × v: from the axis to the line, turned about it, times ‖v‖.

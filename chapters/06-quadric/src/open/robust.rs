@@ -1,4 +1,4 @@
-//! Signs first, then one root: [`crate::robust`]'s way, for an open cone anywhere in space.
+//! Signs first, then one root: [`mod@crate::robust`]'s way, for an open cone anywhere in space.
 //!
 //! The axis v = apex − base is a difference, and a rounded one would be another cone's: a ray that lies in the wall
 //! would be beside it. So v is kept with all its digits, and f, which the notes divide by (v·v)², is not divided at all.

@@ -8,7 +8,8 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use math::{Real, Sure};
 
 use super::End;
-use super::line::{Crossing, Line};
+use super::crossing::Crossing;
+use super::line::Line;
 
 /// What becomes of the ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
