@@ -3,6 +3,16 @@
 //! A scene file says what there is: a camera, lights, materials, objects. It knows no mathematics: a chapter takes
 //! from a [`Scene`] what its own model needs, and where a value means nothing to it (a matrix without an inverse, a
 //! camera that looks nowhere) it says so with [`Scene::fault`], which points at the line.
+//!
+//! ```
+//! # use std::path::Path;
+//! let text = "[camera]\neye = [0, 1, -6]\nlookat = [0, 0, 0]\n";
+//! let error = scene_file::Scene::from_toml("my.toml", text, Path::new("")).unwrap_err();
+//! assert!(error.to_string().starts_with("my.toml:3:1: unknown key `lookat` in this camera"));
+//! assert!(error.remedy().starts_with("write `look_at`"));
+//! ```
+//!
+//! Nothing here panics, and no memory is taken that was not bounded before: see `limits.rs`.
 
 mod assets;
 mod camera;

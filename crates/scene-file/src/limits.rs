@@ -19,5 +19,8 @@ pub(crate) const FACES: usize = 1 << 23;
 /// Pixels of all the pictures of a scene together.
 pub(crate) const TEXELS: u64 = 1 << 26;
 
+/// Bytes that decoding one picture may take, whatever it carries beside its pixels.
+pub(crate) const PICTURE_MEMORY: u64 = 512 << 20;
+
 /// Pixels of what a camera sees.
 pub(crate) const PIXELS: u64 = 1 << 28;

@@ -18,7 +18,7 @@ use crate::toml::shown;
 use crate::word::{Word, Words};
 use crate::{Camera, Error, Material, Object, Scene};
 use light::{RawLight, lights};
-use statement::{FORMS, Statement};
+use statement::{STATEMENTS, Statement};
 
 /// What was read so far.
 #[derive(Default)]
@@ -35,8 +35,13 @@ pub(crate) fn scene(source: Source) -> Result<Scene, Error> {
     let source = Arc::new(source);
     let mut words = Words::of(source.spot(0..source.text.len()));
     let mut reading = Reading::default();
-    while let Some(keyword) = words.next() {
-        reading.statement(keyword, &mut words)?;
+    while let Some(word) = words.peek() {
+        let Some(statement) = Statement::begin(&mut words, STATEMENTS) else {
+            let problem = format!("{} is no keyword of NFF", shown(word.text));
+            let remedy = "write one of `v`, `b`, `l`, `f`, `s`, `c`, `p` and `pp`, or `#` before a comment";
+            return Err(word.spot.fault(&problem, remedy));
+        };
+        reading.statement(statement)?;
     }
     let Some((camera, _)) = reading.view else {
         let remedy = "write `v from 0 1 -6 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 512 512`";
@@ -56,11 +61,8 @@ pub(crate) fn scene(source: Source) -> Result<Scene, Error> {
 
 impl<'t> Reading<'t> {
     /// Reads what follows a keyword.
-    fn statement(&mut self, keyword: Word<'t>, words: &mut Words<'t>) -> Result<(), Error> {
-        let Some(mut statement) = Statement::new(keyword, words) else {
-            let problem = format!("{} is no keyword of NFF", shown(keyword.text));
-            return Err(keyword.spot.fault(&problem, &format!("write one of {FORMS}")));
-        };
+    fn statement(&mut self, mut statement: Statement<'_, 't>) -> Result<(), Error> {
+        let keyword = statement.keyword;
         let full = [self.lights.len(), self.materials.len(), self.objects.len()].contains(&NFF_THINGS);
         if full {
             let problem = format!("more than {NFF_THINGS} objects, materials or lights are too many");

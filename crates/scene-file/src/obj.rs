@@ -24,7 +24,7 @@ const OTHERS: &[&str] = &[
 
 /// Reads a mesh of at most so many faces. `asked` is where a scene names the file.
 pub(crate) fn mesh(source: &Source, most_faces: usize, asked: Option<Spot>) -> Result<Mesh, Error> {
-    // What corners refer to, wherever it stands.
+    // First what corners refer to, which may stand after the face, then the faces.
     let (mut vertices, mut normals, mut all) = (Vec::new(), Vec::new(), Counts::default());
     for mut line in lines(source, asked) {
         match line.keyword.text {
@@ -34,63 +34,73 @@ pub(crate) fn mesh(source: &Source, most_faces: usize, asked: Option<Spot>) -> R
             other if OTHERS.contains(&other) => {}
             other => {
                 let problem = format!("{} is no statement of OBJ", shown(other));
-                return Err(line.fault(
-                    line.keyword.spot,
-                    &problem,
-                    "write `v`, `vn`, `vt` or `f`, or `#` before a comment",
-                ));
+                let remedy = "write `v`, `vn`, `vt` or `f`, or `#` before a comment";
+                return Err(line.fault(line.keyword.spot, &problem, remedy));
             }
         }
         all.count(line.keyword.text);
     }
-
-    let mut mesh = Mesh { vertices, faces: Vec::new(), normals: Vec::new() };
-    let mut so_far = Counts::default();
+    let mesh = Mesh { vertices, faces: Vec::new(), normals: Vec::new() };
+    let mut reading = Reading { mesh, normals, all, so_far: Counts::default(), most_faces };
     for mut line in lines(source, asked) {
-        so_far.count(line.keyword.text);
+        reading.so_far.count(line.keyword.text);
         if line.keyword.text == "f" {
-            mesh.add_face(&mut line, &all, &so_far, &normals)?;
-        }
-        if mesh.faces.len() > most_faces {
-            let problem = format!("more than {most_faces} faces are too many");
-            return Err(line.fault(line.keyword.spot, &problem, "make the mesh coarser"));
+            reading.face(&mut line)?;
         }
     }
-    if mesh.faces.is_empty() {
+    if reading.mesh.faces.is_empty() {
         let remedy = "write a face such as `f 1 2 3`, or name another file";
         return Err(source.spot(0..0).asked_fault("this mesh has no faces", remedy, asked));
     }
-    Ok(mesh)
+    Ok(reading.mesh)
 }
 
-impl Mesh {
-    /// Adds a face, as a fan about its first corner if it has more than three.
-    fn add_face(
-        &mut self,
-        line: &mut Line,
-        all: &Counts,
-        so_far: &Counts,
-        normals: &[[f64; 3]],
-    ) -> Result<(), Error> {
-        let corner = |line: &mut Line| Corner::next(line, all, so_far);
-        let too_few = |line: &Line| {
-            line.fault(line.place(), "a face must have 3 corners or more", "write for example `f 1 2 3`")
-        };
-        let first = corner(line)?.ok_or_else(|| too_few(line))?;
-        let mut before = corner(line)?.ok_or_else(|| too_few(line))?;
-        let mut next = Some(corner(line)?.ok_or_else(|| too_few(line))?);
-        while let Some(last) = next {
-            let corners = [first, before, last];
-            self.faces.push(corners.map(|corner| corner.vertex));
-            let at_corners = corners.map(|corner| corner.normal.map(|place| normals[place as usize]));
-            if !self.normals.is_empty() || at_corners.iter().any(Option::is_some) {
-                // The faces before the first one with a normal have none.
-                self.normals.resize(self.faces.len() - 1, [None; 3]);
-                self.normals.push(at_corners);
-            }
-            before = last;
-            next = corner(line)?;
+/// A mesh whose faces are being read.
+struct Reading {
+    mesh: Mesh,
+    /// The normals of the file, to which corners refer.
+    normals: Vec<[f64; 3]>,
+    all: Counts,
+    so_far: Counts,
+    most_faces: usize,
+}
+
+impl Reading {
+    /// Reads a face, as a fan about its first corner if it has more than three.
+    fn face(&mut self, line: &mut Line) -> Result<(), Error> {
+        let [first, mut before, mut last] = [self.corner(line)?, self.corner(line)?, self.corner(line)?];
+        if last.is_none() {
+            return Err(line.fault(
+                line.place(),
+                "a face must have 3 corners or more",
+                "write for example `f 1 2 3`",
+            ));
         }
+        while let (Some(a), Some(b), Some(c)) = (first, before, last) {
+            self.triangle([a, b, c], line)?;
+            (before, last) = (last, self.corner(line)?);
+        }
+        Ok(())
+    }
+
+    fn corner(&self, line: &mut Line) -> Result<Option<Corner>, Error> {
+        Corner::next(line, &self.all, &self.so_far)
+    }
+
+    fn triangle(&mut self, corners: [Corner; 3], line: &Line) -> Result<(), Error> {
+        let Mesh { faces, normals, .. } = &mut self.mesh;
+        if faces.len() == self.most_faces {
+            let problem =
+                "too many faces: the meshes of a scene have 2^23 in all, fans counted triangle by triangle";
+            return Err(line.fault(line.keyword.spot, problem, "make the mesh coarser"));
+        }
+        let at_corners = corners.map(|corner| corner.normal.map(|place| self.normals[place as usize]));
+        if !normals.is_empty() || at_corners.iter().any(Option::is_some) {
+            // The faces before the first one with a normal have none.
+            normals.resize(faces.len(), [None; 3]);
+            normals.push(at_corners);
+        }
+        faces.push(corners.map(|corner| corner.vertex));
         Ok(())
     }
 }

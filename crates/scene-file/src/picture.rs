@@ -4,7 +4,9 @@ use std::io::Cursor;
 use std::sync::Arc;
 
 use image::codecs::png::PngDecoder;
-use image::{ColorType, DynamicImage, ImageDecoder};
+use image::{ColorType, DynamicImage, ImageDecoder, Limits};
+
+use crate::limits::PICTURE_MEMORY;
 
 /// A picture in memory.
 #[derive(Clone, Debug)]
@@ -22,7 +24,9 @@ impl Picture {
     pub(crate) fn decode(bytes: &[u8], limit: u64) -> Result<Picture, (String, String)> {
         let broken =
             |_| ("it is no PNG picture, or a broken one".to_string(), "save it as a PNG".to_string());
-        let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(broken)?;
+        let mut limits = Limits::no_limits();
+        limits.max_alloc = Some(PICTURE_MEMORY);
+        let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(broken)?;
         let (width, height) = decoder.dimensions();
         if u64::from(width) * u64::from(height) > limit {
             let problem =

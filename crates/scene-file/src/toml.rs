@@ -1,4 +1,8 @@
-//! Scenes in TOML, as the contract describes them.
+//! Scenes in TOML.
+//!
+//! The `toml` crate gives a tree of values with their places, and the tree is walked by hand: each table here is a list
+//! of its keys with a value that would do ([`key::Key`]), from which both the checks and the words of an error come.
+//! Structs derived with serde would be shorter; their errors know neither the key that was meant nor what to write.
 
 mod camera;
 mod id;

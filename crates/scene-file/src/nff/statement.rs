@@ -5,16 +5,10 @@ use crate::toml::shown;
 use crate::word::{Word, Words};
 use crate::{At, Error, Place};
 
-/// What follows a keyword. `N` is a count, `…` as many of the same as it says.
-const FORM: &[&str] = &[
+/// The statements: a keyword and what follows it. `N` is a count, `…` as many of the same as it says.
+pub(super) const STATEMENTS: &[&str] = &[
     "b r g b",
     "v",
-    "from x y z",
-    "at x y z",
-    "up x y z",
-    "angle degrees",
-    "hither distance",
-    "resolution columns rows",
     "l x y z [r g b]",
     "f r g b Kd Ks shine T ior",
     "s x y z radius",
@@ -23,12 +17,13 @@ const FORM: &[&str] = &[
     "pp N x y z nx ny nz …",
 ];
 
-/// The keywords that begin a statement, for an error.
-pub(super) const FORMS: &str = "`v`, `b`, `l`, `f`, `s`, `c`, `p` and `pp`, or `#` before a comment";
+/// What follows `v`.
+pub(super) const VIEW: &[&str] =
+    &["from x y z", "at x y z", "up x y z", "angle degrees", "hither distance", "resolution columns rows"];
 
 /// A keyword whose numbers are read one after another.
 pub(super) struct Statement<'a, 't> {
-    keyword: Word<'t>,
+    pub(super) keyword: Word<'t>,
     form: &'static str,
     /// How many words of it were read.
     read: usize,
@@ -36,15 +31,11 @@ pub(super) struct Statement<'a, 't> {
 }
 
 impl<'a, 't> Statement<'a, 't> {
-    /// What begins with a keyword that was just read; `None` where it is none, or one that only `v` can have.
-    pub(super) fn new(keyword: Word<'t>, words: &'a mut Words<'t>) -> Option<Statement<'a, 't>> {
-        matches!(keyword.text, "b" | "v" | "l" | "f" | "s" | "c" | "p" | "pp")
-            .then(|| Statement::part(keyword, words))?
-    }
-
-    /// Any keyword, those that only `v` can have included.
-    pub(super) fn part(keyword: Word<'t>, words: &'a mut Words<'t>) -> Option<Statement<'a, 't>> {
-        let form = FORM.iter().find(|form| form.split(' ').next() == Some(keyword.text))?;
+    /// What the next word begins, if it is the keyword of one of the forms; else it stays the next word.
+    pub(super) fn begin(words: &'a mut Words<'t>, forms: &[&'static str]) -> Option<Statement<'a, 't>> {
+        let keyword = words.peek()?;
+        let form = forms.iter().find(|form| form.split(' ').next() == Some(keyword.text))?;
+        words.next();
         Some(Statement { keyword, form, read: 0, words })
     }
 

@@ -1,6 +1,6 @@
 //! `v`: the camera.
 
-use super::statement::Statement;
+use super::statement::{Statement, VIEW};
 use crate::limits::PIXELS;
 use crate::{At, Camera, Error, Extent, Grid, Handedness, Place, View};
 
@@ -21,14 +21,7 @@ pub(super) fn view(statement: Statement) -> Result<Camera, Error> {
     let place = statement.place();
     let words = statement.words;
     let mut parts = Parts::default();
-    while let Some(word) = words.peek() {
-        let mut last = match word.text {
-            "from" | "at" | "up" | "angle" | "hither" | "resolution" => words.next(),
-            _ => None,
-        };
-        let Some(mut part) = last.take().and_then(|word| Statement::part(word, words)) else {
-            break;
-        };
+    while let Some(mut part) = Statement::begin(words, VIEW) {
         parts.read(&mut part)?;
     }
     let spot = words.source.spot(place);
