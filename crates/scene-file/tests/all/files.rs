@@ -113,12 +113,12 @@ fn what_has_no_end_is_not_begun() {
 #[test]
 fn what_is_too_long_is_not_read() {
     let folder = Folder::new("long");
-    for (name, length, limit) in [("a.toml", 1 << 40, "8 MiB"), ("a.nff", 1 << 40, "256 MiB")] {
+    for (name, length, limit) in [("a.toml", 1 << 30, "8 MiB"), ("a.nff", 1 << 30, "256 MiB")] {
         let path = folder.0.join(name);
         std::fs::File::create(&path).unwrap().set_len(length).unwrap();
         let start = std::time::Instant::now();
         let error = Scene::read(&path).unwrap_err();
         assert_eq!(error.problem(), format!("it is longer than {limit}"));
-        assert!(start.elapsed().as_millis() < 100);
+        assert!(start.elapsed().as_millis() < 1000);
     }
 }
