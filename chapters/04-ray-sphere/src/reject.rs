@@ -47,6 +47,8 @@ pub(crate) fn draw(ask: &TradeAsk) -> Drawing {
         y_title: "ns per ray".to_string(),
         series,
         conclusion,
+        powers: false,
+        marks: Vec::new(),
     };
     Drawing { ending: "reject.svg", sheet: Sheet::Svg(lines_svg(&plot)) }
 }

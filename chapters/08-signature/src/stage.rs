@@ -77,6 +77,16 @@ pub fn read(path: Option<&Path>) -> Result<scene_file::Scene, Error> {
     }
 }
 
+/// One of the chapter's own scenes, by the name that `--regime` takes.
+///
+/// [`Error::Request`] where there is none of that name.
+pub fn built_in(name: &str) -> Result<scene_file::Scene, Error> {
+    match SCENES.iter().find(|scene| scene.name == name) {
+        Some(scene) => scene.file(),
+        None => Err(Error::Request(format!("there is no scene `{name}` in chapter 08"))),
+    }
+}
+
 /// What is wrong with a scene file, as a stage says it.
 pub fn fault(error: scene_file::Error) -> Error {
     match error.status() {

@@ -2,7 +2,7 @@
 
 use stage::Anchor;
 
-use super::axis::{LinearAxis, round_numbers};
+use super::axis::{LinearAxis, log10, round_numbers};
 use super::extent::Extent;
 use super::letters::{cut, width, wrapped};
 use super::palette::{DIM, GRID, INK};
@@ -25,6 +25,11 @@ pub struct LinePlot {
     pub series: Vec<Series>,
     /// What it shows, in a sentence below the plot.
     pub conclusion: String,
+    /// Both axes in powers of ten; then no coordinate may be zero or less. Else both are even, and the vertical one starts
+    /// at 0, so that heights can be compared.
+    pub powers: bool,
+    /// Places that are marked with a ring and a word: x, y.
+    pub marks: Vec<(f64, f64, String)>,
 }
 
 /// One line.
@@ -43,10 +48,11 @@ const MARGIN: f64 = 40.0;
 /// The size of the names of lines.
 pub(super) const LABEL: f64 = 17.0;
 
-/// Lines over a linear horizontal axis as an SVG of a slide's shape; the vertical axis starts at 0, so
-/// that heights can be compared.
+/// Lines as an SVG of a slide's shape.
 pub fn lines_svg(plot: &LinePlot) -> String {
-    let series: Vec<Series> = plot.series.iter().map(finite).collect();
+    // powers of ten are drawn by their exponents, on even axes
+    let scaled = |x: f64| if plot.powers { log10(x) } else { x };
+    let series: Vec<Series> = plot.series.iter().map(|series| finite(series, scaled)).collect();
     let mut svg = Svg::new((WIDTH, HEIGHT), &plot.title);
     let limit = WIDTH - 2.0 * MARGIN;
     svg.text((MARGIN, 66.0), Letters::new(32.0, INK).bold(true), &cut(&plot.title, 33.0, limit));
@@ -61,7 +67,7 @@ pub fn lines_svg(plot: &LinePlot) -> String {
     let right = WIDTH - MARGIN - names.min(WIDTH / 3.0) - 30.0;
     let bottom = HEIGHT - 110.0 - 27.0 * conclusion.len() as f64;
     let frame = Extent { left: MARGIN + 50.0, top: 150.0, right, bottom };
-    let (x, y) = axes(&series, frame);
+    let (x, y) = if plot.powers { axes_of_powers(&series, frame) } else { axes(&series, frame) };
     grid(&mut svg, plot, frame, &x, &y);
     for (i, series) in series.iter().enumerate() {
         band(&mut svg, series, i, &x, &y);
@@ -70,13 +76,46 @@ pub fn lines_svg(plot: &LinePlot) -> String {
         line(&mut svg, series, i, &x, &y);
     }
     names_at_the_end(&mut svg, &series, frame, &x, &y);
+    for (mark_x, mark_y, word) in &plot.marks {
+        let at = (x.at(scaled(*mark_x)), y.at(scaled(*mark_y)));
+        if at.0.is_finite() && at.1.is_finite() {
+            svg.circle(at, 7.0, None, Stroke::solid(INK, 2.0));
+            svg.text((at.0, at.1 - 14.0), Letters::new(15.0, INK).at(Anchor::Middle), word);
+        }
+    }
     svg.finish()
 }
 
-fn finite(series: &Series) -> Series {
+fn finite(series: &Series, scaled: impl Fn(f64) -> f64) -> Series {
+    let points = series
+        .points
+        .iter()
+        .map(|point| (scaled(point.0), scaled(point.1), scaled(point.2), scaled(point.3)));
     let is_finite =
-        |point: &&(f64, f64, f64, f64)| [point.0, point.1, point.2, point.3].iter().all(|x| x.is_finite());
-    Series { name: series.name.clone(), points: series.points.iter().filter(is_finite).copied().collect() }
+        |point: &(f64, f64, f64, f64)| [point.0, point.1, point.2, point.3].iter().all(|x| x.is_finite());
+    Series { name: series.name.clone(), points: points.filter(is_finite).collect() }
+}
+
+/// Axes from a whole power of ten to another, around all points.
+fn axes_of_powers(series: &[Series], frame: Extent) -> (LinearAxis, LinearAxis) {
+    let points = || series.iter().flat_map(|series| &series.points);
+    let around = |numbers: &mut dyn Iterator<Item = f64>| {
+        let ends = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let (low, high) = (ends.0.floor(), ends.1.ceil());
+        if low < high {
+            (low, high)
+        } else if low.is_finite() {
+            (low, low + 1.0)
+        } else {
+            (0.0, 1.0)
+        }
+    };
+    let x = around(&mut points().map(|point| point.0));
+    let y = around(&mut points().flat_map(|point| [point.1, point.2, point.3]));
+    (
+        LinearAxis { ends: x, places: (frame.left, frame.right) },
+        LinearAxis { ends: y, places: (frame.bottom, frame.top) },
+    )
 }
 
 /// The axes: the horizontal one over all x, the vertical one from 0 to a little above all y.
@@ -101,15 +140,24 @@ fn axes(series: &[Series], frame: Extent) -> (LinearAxis, LinearAxis) {
 
 fn grid(svg: &mut Svg, plot: &LinePlot, frame: Extent, x: &LinearAxis, y: &LinearAxis) {
     let numbers = Letters::new(15.0, DIM);
-    for number in round_numbers(y.ends.0, y.ends.1, 6) {
+    // an axis of powers has its whole exponents
+    let numbers_of = |(low, high): (f64, f64), about: u32| match plot.powers {
+        true => (low as i32..=high as i32).map(f64::from).collect(),
+        false => round_numbers(low, high, about),
+    };
+    let say = |svg: &mut Svg, at: (f64, f64), letters: Letters, number: f64| match plot.powers {
+        true => svg.power_of_ten(at, letters, number as i32),
+        false => svg.text(at, letters, &short(number)),
+    };
+    for number in numbers_of(y.ends, 6) {
         let at = y.at(number);
         svg.line((frame.left, at), (frame.right, at), Stroke::solid(GRID, 1.0));
-        svg.text((frame.left - 10.0, at + 5.0), numbers.at(Anchor::Right), &short(number));
+        say(svg, (frame.left - 10.0, at + 5.0), numbers.at(Anchor::Right), number);
     }
-    for number in round_numbers(x.ends.0, x.ends.1, 10) {
+    for number in numbers_of(x.ends, 10) {
         let at = x.at(number);
         svg.line((at, frame.bottom), (at, frame.bottom + 6.0), Stroke::solid(DIM, 1.2));
-        svg.text((at, frame.bottom + 24.0), numbers.at(Anchor::Middle), &short(number));
+        say(svg, (at, frame.bottom + 24.0), numbers.at(Anchor::Middle), number);
     }
     svg.line((frame.left, frame.bottom), (frame.right, frame.bottom), Stroke::solid(DIM, 1.4));
     let titles = Letters::new(17.0, DIM);
@@ -143,6 +191,8 @@ mod tests {
             y_title: text("ns"),
             series,
             conclusion: text("It is <so>."),
+            powers: false,
+            marks: vec![(1.0, 2.0, text("<here>"))],
         }
     }
 
@@ -154,10 +204,23 @@ mod tests {
         let zero = Series { name: "0".to_owned(), points: vec![(0.0, 0.0, 0.0, 0.0); 2] };
         for series in [vec![], vec![one.clone()], vec![bad.clone()], vec![zero.clone()], vec![one, bad, zero]]
         {
-            let document = lines_svg(&plot(series));
-            assert_well_formed(&document);
-            assert!(!document.contains("NaN") && !document.contains("inf"));
+            for powers in [false, true] {
+                let document = lines_svg(&LinePlot { powers, ..plot(series.clone()) });
+                assert_well_formed(&document);
+                assert!(!document.contains("NaN") && !document.contains("inf"));
+            }
         }
+    }
+
+    #[test]
+    fn powers_of_ten_are_as_far_from_each_other() {
+        let points = vec![(1.0, 20.0, 20.0, 20.0), (100.0, 3000.0, 3000.0, 3000.0)];
+        let logs = finite(&Series { name: String::new(), points }, log10);
+        let frame = Extent { left: 0.0, top: 0.0, right: 100.0, bottom: 300.0 };
+        let (x, y) = axes_of_powers(&[logs], frame);
+        // by hand: x from 10⁰ to 10², y from 10¹ to 10⁴
+        assert_eq!([x.at(0.0), x.at(1.0), x.at(2.0)], [0.0, 50.0, 100.0]);
+        assert_eq!([y.at(1.0), y.at(2.0), y.at(4.0)], [300.0, 200.0, 0.0]);
     }
 
     #[test]

@@ -103,6 +103,7 @@ impl Subject<1> for Something {
             methods: METHODS.to_vec(),
             size: (1, 1),
             picture: "",
+            flags: &[],
             inputs: &["case"],
             words: &[],
             results: &["hit", "t"],

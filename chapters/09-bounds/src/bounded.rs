@@ -1,0 +1,192 @@
+//! A scene with one kind of bound around its objects.
+
+use math::{Ray3, Real, Span};
+use ray_sphere::{Sphere, robust};
+use signature::{First, Scene};
+
+use crate::projected::{Rectangle, rectangle};
+use crate::{Box3, Method, Nearest, Parts, Slabs, Tally, Tree, Wide, sphere_around};
+
+/// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
+#[derive(Debug)]
+pub struct Bounded<'a, R: Real> {
+    scene: &'a Scene<R>,
+    parts: Parts<'a, R>,
+    /// The parts of objects that nothing bounds: planes. They are tried first, and what is nearer than their hit is all that
+    /// is looked for then.
+    unbounded: Vec<usize>,
+    bounds: Bounds<R>,
+}
+
+/// What is around the objects.
+#[derive(Debug)]
+enum Bounds<R: Real> {
+    /// Nothing.
+    None,
+    /// A sphere around each object; without one it is tried by every ray.
+    Spheres(Vec<(usize, Option<Sphere<R>>)>),
+    /// A box around each object.
+    Boxes(Vec<(usize, Box3)>),
+    /// For each row of the picture the objects that may be seen in it, with their columns.
+    Extents(Vec<Vec<(usize, Rectangle)>>),
+    /// Boxes in boxes, around each part.
+    Tree { tree: Tree, parts: Vec<usize> },
+    /// The same, eight at a time.
+    Wide { wide: Wide, parts: Vec<usize> },
+}
+
+impl<'a, R: Real> Bounded<'a, R> {
+    /// Works the bounds out. [`Method::Auto`] takes those that [`Method::required`] says.
+    pub fn new(scene: &'a Scene<R>, method: Method) -> Bounded<'a, R> {
+        let parts = Parts::of(scene);
+        let objects = 0..scene.objects.len();
+        let boxed: Vec<(usize, Box3)> =
+            objects.filter_map(|object| Some((object, parts.object_bounds(object)?))).collect();
+        let is_unbounded =
+            |object: &usize| boxed.binary_search_by_key(object, |(object, _)| *object).is_err();
+        let unbounded = (0..scene.objects.len())
+            .filter(is_unbounded)
+            .flat_map(|object| parts.of_object(object))
+            .collect();
+        let part_boxes = || -> (Vec<usize>, Vec<Box3>) {
+            (0..parts.count()).filter_map(|part| Some((part, parts.bounds(part)?))).unzip()
+        };
+        let bounds = match method.or_required(parts.count()) {
+            Method::None | Method::Auto => Bounds::None,
+            Method::Sphere => {
+                let around = |(object, bounds): (usize, Box3)| {
+                    // a sphere is its own
+                    let own = match &scene.objects[object].shape {
+                        signature::Shape::Sphere(sphere) => Some(*sphere),
+                        _ => sphere_around(&bounds),
+                    };
+                    (object, own)
+                };
+                Bounds::Spheres(boxed.into_iter().map(around).collect())
+            }
+            Method::Box => Bounds::Boxes(boxed),
+            Method::Extents => {
+                let mut rows = vec![Vec::new(); scene.size.1 as usize];
+                for (object, bounds) in boxed {
+                    let Some(seen) = rectangle(scene, &bounds) else { continue };
+                    for row in seen.rows.clone() {
+                        rows[row as usize].push((object, seen.clone()));
+                    }
+                }
+                Bounds::Extents(rows)
+            }
+            Method::Tree => {
+                let (parts, boxes) = part_boxes();
+                Bounds::Tree { tree: Tree::build(&boxes), parts }
+            }
+            Method::Wide => {
+                let (parts, boxes) = part_boxes();
+                Bounds::Wide { wide: Wide::build(&boxes), parts }
+            }
+        };
+        Bounded { scene, parts, unbounded, bounds }
+    }
+
+    /// How many things there are to test: objects, and of a mesh its faces.
+    pub fn parts(&self) -> usize {
+        self.parts.count()
+    }
+
+    /// What a pixel sees first, and where.
+    #[inline]
+    pub fn seen(&self, pixel: (u32, u32), counts: &mut impl Tally) -> Option<First<R>> {
+        self.nearest(&self.scene.ray(pixel), Span::ahead(), Some(pixel), counts)
+    }
+
+    /// What any ray hits first in `span`: the same as [`fn@signature::first_hit`] by the robust methods. The ray must be a
+    /// ray. Extents help rays of the eye only.
+    #[inline]
+    pub fn first_hit(&self, ray: &Ray3<R>, span: Span<R>, counts: &mut impl Tally) -> Option<First<R>> {
+        self.nearest(ray, span, None, counts)
+    }
+
+    fn nearest(
+        &self,
+        ray: &Ray3<R>,
+        span: Span<R>,
+        pixel: Option<(u32, u32)>,
+        counts: &mut impl Tally,
+    ) -> Option<First<R>> {
+        let mut nearest = Nearest::new(span);
+        match &self.bounds {
+            Bounds::None => {
+                self.try_all(0..self.parts.count(), ray, &mut nearest, counts);
+            }
+            Bounds::Spheres(spheres) => {
+                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                for (object, sphere) in spheres {
+                    // "only test intersections with objects if there exists a positive intersection with the bounding
+                    // volume"
+                    counts.boxes(1);
+                    let passes = |sphere: &Sphere<R>| {
+                        let roots = robust(ray, sphere).roots();
+                        roots.and_then(|roots| roots.first_within(span)).is_none()
+                    };
+                    if !sphere.as_ref().is_some_and(passes) {
+                        self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
+                    }
+                }
+            }
+            Bounds::Boxes(boxes) => {
+                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                let slabs = Slabs::new(ray);
+                for (object, bounds) in boxes {
+                    counts.boxes(1);
+                    if slabs.enter(bounds, nearest.reach).is_some() {
+                        self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
+                    }
+                }
+            }
+            Bounds::Extents(rows) => {
+                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                match pixel {
+                    Some((col, row)) => {
+                        for (object, seen) in &rows[row as usize] {
+                            counts.boxes(1);
+                            if seen.cols.contains(&col) {
+                                self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
+                            }
+                        }
+                    }
+                    None => self.try_all(0..self.parts.count(), ray, &mut nearest, counts),
+                }
+            }
+            Bounds::Tree { tree, parts } => {
+                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                let hit =
+                    tree.closest(ray, nearest.span, counts, |at, span| self.parts.hit(parts[at], ray, span));
+                hit.inspect(|&(at, t)| nearest.put(parts[at], t));
+            }
+            Bounds::Wide { wide, parts } => {
+                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                let hit =
+                    wide.closest(ray, nearest.span, counts, |at, span| self.parts.hit(parts[at], ray, span));
+                hit.inspect(|&(at, t)| nearest.put(parts[at], t));
+            }
+        }
+        nearest.hit().map(|(part, lambda)| First { object: self.parts.object(part), lambda })
+    }
+
+    /// The loop of the scene signature, over some parts.
+    #[inline]
+    fn try_all(
+        &self,
+        parts: impl IntoIterator<Item = usize>,
+        ray: &Ray3<R>,
+        nearest: &mut Nearest<R>,
+        counts: &mut impl Tally,
+    ) {
+        for part in parts {
+            counts.tests(1);
+            if let Some(t) = self.parts.hit(part, ray, nearest.span) {
+                counts.hit();
+                nearest.put(part, t);
+            }
+        }
+    }
+}

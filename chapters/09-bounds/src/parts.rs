@@ -1,0 +1,154 @@
+//! What is tested: the objects of a scene, a mesh face by face, each with its box.
+
+use std::ops::Range;
+
+use math::{Ray3, Real, Span, Vector};
+use signature::{Method, Scene, Shape};
+
+use crate::Box3;
+
+/// The objects of a scene in parts: a mesh has a part for each of its faces, every other object is one.
+///
+/// Parts are in the order of the objects and of their faces, so that on a tie the earlier part is the one that the
+/// signature's loop sees.
+#[derive(Debug)]
+pub struct Parts<'a, R: Real> {
+    scene: &'a Scene<R>,
+    /// Each part's object, and its face if the object is a mesh.
+    all: Vec<Part>,
+    /// For each object its parts.
+    of_object: Vec<Range<usize>>,
+}
+
+/// One of the things that a ray is tested against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its object's place in the scene.
+    pub object: u32,
+    /// Its face's place in the mesh; 0 for an object that is none.
+    face: u32,
+}
+
+impl<'a, R: Real> Parts<'a, R> {
+    /// The parts of a scene.
+    pub fn of(scene: &'a Scene<R>) -> Parts<'a, R> {
+        let (mut all, mut of_object) = (Vec::new(), Vec::new());
+        for (object, it) in scene.objects.iter().enumerate() {
+            let first = all.len();
+            let faces = if let Shape::Mesh(mesh) = &it.shape { mesh.faces().len() } else { 1 };
+            all.extend((0..faces as u32).map(|face| Part { object: object as u32, face }));
+            of_object.push(first..all.len());
+        }
+        Parts { scene, all, of_object }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The parts of an object.
+    pub fn of_object(&self, object: usize) -> Range<usize> {
+        self.of_object[object].clone()
+    }
+
+    /// The place of a part's object in the scene.
+    pub fn object(&self, part: usize) -> usize {
+        self.all[part].object as usize
+    }
+
+    /// The t of the nearest hit of a part in `span`, by the robust method of its chapter, whose verdict is exact:
+    /// so what a bound leaves out would not have been hit.
+    #[inline]
+    pub fn hit(&self, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<R> {
+        let Part { object, face } = self.all[part];
+        match &self.scene.objects[object as usize].shape {
+            Shape::Mesh(mesh) => {
+                let hit = triangle::robust(ray, &mesh.triangle(face as usize)).hit(span);
+                // a face without area is never hit
+                hit.ok().flatten().map(|hit| hit.t)
+            }
+            shape => shape.hit(Method::Robust, ray, span).map(|hit| hit.t),
+        }
+    }
+
+    /// A box around a part; `None` for a plane, which has none.
+    pub fn bounds(&self, part: usize) -> Option<Box3> {
+        let Part { object, face } = self.all[part];
+        match &self.scene.objects[object as usize].shape {
+            Shape::Mesh(mesh) => Some(Box3::around::<R>(mesh.triangle(face as usize).corners())),
+            shape => box_of(shape),
+        }
+    }
+
+    /// A box around an object; `None` for a plane.
+    pub fn object_bounds(&self, object: usize) -> Option<Box3> {
+        let mut parts = self.of_object(object).map(|part| self.bounds(part));
+        parts.try_fold(Box3::EMPTY, |all, part| Some(all.union(&part?)))
+    }
+}
+
+/// A box around a shape that is no mesh; `None` for a plane.
+fn box_of<R: Real>(shape: &Shape<R>) -> Option<Box3> {
+    match shape {
+        Shape::Plane(_) => None,
+        Shape::Sphere(sphere) => Some(Box3::around_sphere(sphere.center, sphere.radius)),
+        Shape::Triangle(triangle) => Some(Box3::around::<R>(triangle.corners())),
+        Shape::Polygon(polygon) => Some(around(polygon.bounds())),
+        Shape::Mesh(mesh) => Some(Box3::around::<R>(mesh.vertices().iter().copied())),
+        Shape::Solid(quadric::Shape::Cylinder) => Some(around([[-1.0; 3], [1.0; 3]])),
+        Shape::Solid(quadric::Shape::Cone) => Some(around([[-0.5, -0.5, 0.0], [0.5, 0.5, 1.0]])),
+        Shape::OpenCone(cone) => {
+            let (low, high) = cone.bounds();
+            Some(around([low, high]))
+        }
+        Shape::Deformed(deformed) => deformed_box(deformed),
+    }
+}
+
+fn around(corners: [[f64; 3]; 2]) -> Box3 {
+    Box3::around::<f64>(corners.map(Into::into))
+}
+
+/// The box around a deformed solid. Along an axis e the point A x̄ + t is at most t_e + max (Aᵀe) · x̄ away, and over
+/// the unit sphere that is the length of A's row; over the cylinder the length of its first two numbers and the size
+/// of the third; over the cone the greater of the apex, a_3, and the base, half the length of the first two.
+///
+/// Each of these sums and roots is rounded a few times, by less than 8 units of the last digit of its largest part.
+fn deformed_box<R: Real>(deformed: &affine::Deformed<R>) -> Option<Box3> {
+    let rows = deformed.affine.a.rows().map(|row| row.map(Into::<f64>::into));
+    let t: [f64; 3] = deformed.affine.t.in_f64();
+    let (mut low, mut high) = ([0.0; 3], [0.0; 3]);
+    for axis in 0..3 {
+        let [x, y, z] = rows[axis];
+        let (below, above) = match deformed.object {
+            affine::Object::Sphere => {
+                let reach = length([x, y, z]);
+                (reach, reach)
+            }
+            affine::Object::Cylinder => {
+                let reach = length([x, y, 0.0]) + z.abs();
+                (reach, reach)
+            }
+            affine::Object::Cone => {
+                let base = length([x, y, 0.0]) / 2.0;
+                (base.max(-z), base.max(z))
+            }
+            affine::Object::Plane => return None,
+            affine::Object::Triangle => ((-x).max(-y).max(0.0), x.max(y).max(0.0)),
+        };
+        let off = 8.0 * f64::EPSILON * (t[axis].abs() + below.abs() + above.abs()) + f64::MIN_POSITIVE;
+        (low[axis], high[axis]) = (t[axis] - below - off, t[axis] + above + off);
+    }
+    Some(around([low, high]))
+}
+
+/// ‖v‖, divided by the largest component first, so that no square overflows or vanishes.
+fn length(v: [f64; 3]) -> f64 {
+    let largest = v.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    let [x, y, z] = v.map(|x| x / largest);
+    largest * (x * x + y * y + z * z).sqrt()
+}

@@ -1,0 +1,102 @@
+//! Eight triangles that the ray surely misses, before chapter 05's `robust` decides about the others.
+//!
+//! The determinants of `robust`'s first way with its error bounds, but in R and not in `f64`. With u = 2^−DIGITS, |x| for the
+//! sum of the magnitudes of a vector's components, e1 = p̄2 − p̄1, e2 = p̄3 − p̄1, A = p̄1 − ā and q = d × A:
+//!
+//! | number | is off by at most |
+//! | --- | --- |
+//! | d · n, v = −e2 · q, w = e1 · q and u = d · n − v − w | 9u of E = \|d\| (\|e1\| \|e2\| + \|A\| (\|e1\| + \|e2\|)) |
+//! | A · n | 7u \|A\| \|e1\| \|e2\| |
+//!
+//! (It is derived there.) Products that vanish lose half of the smallest number η each, and then take part in another product:
+//! fewer than 16 such halves times 1 + |d| + |e1| + |e2| + |A|. 16u and 16η are taken, which leaves room for the
+//! roundings of the bounds themselves. If E is finite so is every product in it, and no sum of them is NaN.
+//!
+//! A ray whose volumes have both signs for sure passes the triangle. Elsewhere λ = A · n / d · n, and it is surely beyond the
+//! span if A · n − max d · n, signs turned so that d · n is positive, is above twice all that both may be off by: also if the
+//! sign of d · n is wrong, for then λ is negative. Before the span likewise, but only with a sign that is sure. max and min are widened by η, as λ may be
+//! rounded into the span; a relative rounding is far below 16u.
+
+use math::{Ray3, Real, Span, Vector};
+use triangle::Triangle;
+
+use super::block::{Block, not_negative};
+use super::mesh::Lanes;
+use super::node::{Column, LANES};
+
+/// By `robust`.
+pub(crate) struct ByRobust;
+
+impl<R: Real> Lanes<R> for ByRobust {
+    #[inline(always)]
+    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, u32) {
+        let [zero, one, two, sixteen] = [R::from(0.0), R::from(1.0), R::from(2.0), R::from(16.0)];
+        let unit = R::from(1.0 / (1u64 << R::DIGITS) as f32);
+        let (min, max) = (span.min - R::SMALLEST, span.max + R::SMALLEST);
+        let d_size = size::<R>(ray.direction);
+        let mut left = [zero; LANES];
+        for lane in 0..LANES {
+            let Triangle { p1, p2, p3 } = block.triangle(lane);
+            let (e1, e2, to_p1) = (p2 - p1, p3 - p1, p1 - ray.origin);
+            let n = R::cross(e1, e2);
+            let q = R::cross(ray.direction, to_p1);
+            let d_dot_n = ray.direction.dot(n);
+            let (v, w) = (-e2.dot(q), e1.dot(q));
+            let u = d_dot_n - v - w;
+
+            let (e1_size, e2_size, to_p1_size) = (size::<R>(e1), size::<R>(e2), size::<R>(to_p1));
+            let (area, edges) = (e1_size * e2_size, e1_size + e2_size);
+            let e = d_size * (area + to_p1_size * edges);
+            let vanished = sixteen * R::SMALLEST * (one + d_size + edges + to_p1_size);
+            let volume_error = sixteen * unit * e + vanished;
+            let (lowest, highest) = (lower(lower(u, v), w), higher(higher(u, v), w));
+            let is_past = (lowest < -volume_error) & (highest > volume_error);
+
+            // λ against the span
+            let is_downward = d_dot_n < zero;
+            let above = to_p1.dot(n);
+            let (above, rise) = (select(is_downward, -above, above), magnitude(d_dot_n));
+            let above_error = sixteen * unit * to_p1_size * area + vanished;
+            let is_beyond = above - max * rise > two * (above_error + max * volume_error);
+            let is_before = above - min * rise < -two * (above_error + min * volume_error);
+            let is_out = is_beyond | (is_before & (rise > volume_error));
+
+            let is_missed = (is_past | is_out) & (e < R::INFINITY);
+            left[lane] = select(is_missed, -one, one);
+        }
+        (left, not_negative(&left))
+    }
+
+    #[inline(always)]
+    fn hit(&self, ray: &Ray3<R>, triangle: &Triangle<R>, span: Span<R>, _t: R) -> Option<R> {
+        triangle::robust(ray, triangle).lambda.filter(|&lambda| span.contains(lambda))
+    }
+}
+
+/// |x| + |y| + |z|
+#[inline(always)]
+fn size<R: Real>(v: R::Vec3) -> R {
+    let [x, y, z] = R::xyz(v);
+    magnitude(x) + magnitude(y) + magnitude(z)
+}
+
+#[inline(always)]
+fn magnitude<R: Real>(x: R) -> R {
+    select(x < R::from(0.0), -x, x)
+}
+
+#[inline(always)]
+fn lower<R: Real>(a: R, b: R) -> R {
+    select(a < b, a, b)
+}
+
+#[inline(always)]
+fn higher<R: Real>(a: R, b: R) -> R {
+    select(a > b, a, b)
+}
+
+/// One of two numbers that are there already: an instruction, not a branch.
+#[inline(always)]
+fn select<R>(condition: bool, a: R, b: R) -> R {
+    if condition { a } else { b }
+}
