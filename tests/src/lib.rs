@@ -17,6 +17,11 @@ use stage::Stage;
 /// Every stage, in the order of the book: those that the workbench runs.
 pub static STAGES: &[&dyn Stage] = workbench::stages::ALL;
 
+/// Those of them that answer case files.
+pub fn with_cases() -> impl Iterator<Item = &'static dyn Stage> {
+    STAGES.iter().copied().filter(|stage| !stage.about().inputs.is_empty())
+}
+
 /// The stage of that name; `None` where there is none.
 pub fn stage_named(name: &str) -> Option<&'static dyn Stage> {
     STAGES.iter().copied().find(|stage| stage.about().name == name)

@@ -38,11 +38,10 @@ impl Chapter for Pinhole {
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
-        let size = ask.size_or(self.about().size)?;
-        let grid = Grid::ALL[ask.method];
+        let (grid, drawn) = (Grid::ALL[ask.method], ask.size_or(self.about().size)?);
         // The worked example is the top left pixel of House's picture, with z_p = 2: its center is 3 away.
         let (size, pixel, camera) = match ask.pixel {
-            Some(pixel) => (size, pixel, camera(R::from(1.0), Window::around_axis(R::from(1.0), size))?),
+            Some(pixel) => (drawn, pixel, camera(R::from(1.0), Window::around_axis(R::from(1.0), drawn))?),
             None => (HOUSE_SIZE, (0, 0), camera(R::from(2.0), house_window())?),
         };
         let mut transcript = Transcript::new(&self.about(), ask);
@@ -52,7 +51,7 @@ impl Chapter for Pinhole {
         explain::two_loops::<R>(&mut transcript);
         explain::general_camera::<R>(&mut transcript)?;
         explain::viewport::<R>(&mut transcript)?;
-        Ok(Shown { transcript, picture: picture::draw::<R>(grid, size)?, ids: None })
+        Ok(Shown { transcript, picture: picture::draw::<R>(grid, drawn)?, ids: None })
     }
 
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {

@@ -7,7 +7,7 @@ use std::hint::black_box;
 
 use lab::{Draw, Effort, Nanoseconds, Pass, Progress, Runner, asked_for, time};
 use math::{Ray3, Real, Span};
-use stage::{Error, Precision, TradeAsk, each_pixel};
+use stage::{Error, Precision, TradeAsk};
 
 use crate::stage::{fault, read};
 use crate::{Method, Scene, first_hit, from_file};
@@ -22,8 +22,6 @@ pub(crate) struct Measured {
     pub(crate) what: String,
     /// How many objects it has.
     pub(crate) objects: usize,
-    /// Columns and rows of the picture that was compared.
-    pub(crate) size: (u32, u32),
     pub(crate) entries: Vec<Entry>,
 }
 
@@ -57,7 +55,7 @@ impl Off {
     }
 
     /// What these pixels see against the reference.
-    fn of(seen: &[Option<u32>], reference: &[Option<u32>]) -> Off {
+    fn of(seen: &[Option<usize>], reference: &[Option<usize>]) -> Off {
         let mut off = Off::default();
         for (seen, reference) in seen.iter().zip(reference) {
             off.pixels += 1;
@@ -102,9 +100,9 @@ fn in_scene(
     ask: &TradeAsk,
     effort: Effort,
 ) -> Result<Measured, Error> {
-    let size = picture_of(file.camera.size.value, effort.cases);
-    let exact = from_file::scene::<f64>(file, Some(size)).map_err(fault)?;
-    let reference = seen(&exact, Method::Robust)?;
+    let exact = from_file::scene::<f64>(file, None).map_err(fault)?;
+    let compared = compared(&name, ask.seed, exact.size, effort.cases);
+    let reference = seen(&exact, Method::Robust, &compared);
 
     let mut wanted = Vec::new();
     for precision in Precision::ALL.into_iter().filter(|it| ask.wants_precision(*it)) {
@@ -112,16 +110,16 @@ fn in_scene(
         wanted.extend(methods.map(|(_, method)| (method, precision)));
     }
     // a scene with numbers that f32 cannot hold is measured at f64 alone
-    let single = from_file::scene::<f32>(file, Some(size)).ok();
+    let single = from_file::scene::<f32>(file, None).ok();
     wanted.retain(|(_, precision)| *precision == Precision::F64 || single.is_some());
 
-    let pixels = pixels(&name, ask.seed, size, effort.timed);
+    let pixels = pixels(&name, ask.seed, exact.size, effort.timed);
     let mut runners = Vec::new();
     let mut offs = Vec::new();
     for &(method, precision) in &wanted {
         let (runner, seen) = match (precision, &single) {
-            (Precision::F32, Some(scene)) => (runner(scene, method, &pixels), seen(scene, method)?),
-            _ => (runner(&exact, method, &pixels), seen(&exact, method)?),
+            (Precision::F32, Some(scene)) => (runner(scene, method, &pixels), seen(scene, method, &compared)),
+            _ => (runner(&exact, method, &pixels), seen(&exact, method, &compared)),
         };
         runners.push(runner);
         offs.push(Off::of(&seen, &reference));
@@ -130,19 +128,20 @@ fn in_scene(
     let points: Vec<(f64, f64)> = times.iter().zip(&offs).map(|(ns, off)| (ns.median, off.share())).collect();
     let all = wanted.into_iter().zip(times).zip(offs).zip(lab::front(&points));
     let entry = |((((method, precision), ns), off), on_front)| Entry { method, precision, ns, off, on_front };
-    Ok(Measured { name, what, objects: exact.objects.len(), size, entries: all.map(entry).collect() })
+    Ok(Measured { name, what, objects: exact.objects.len(), entries: all.map(entry).collect() })
 }
 
-/// The size of a picture of about so many pixels in the shape of another.
-fn picture_of((width, height): (u32, u32), pixels: usize) -> (u32, u32) {
-    let scale = (pixels as f64 / (f64::from(width) * f64::from(height))).sqrt();
-    let side = |side: u32| ((f64::from(side) * scale).round() as u32).clamp(2, 1 << 14);
-    (side(width), side(height))
+/// The pixels that are compared: all of the picture where there are no more of them than asked for, else some of them.
+fn compared(name: &str, seed: u64, size: (u32, u32), count: usize) -> Vec<(u32, u32)> {
+    if u64::from(size.0) * u64::from(size.1) <= count as u64 {
+        return (0..size.1).flat_map(|row| (0..size.0).map(move |col| (col, row))).collect();
+    }
+    pixels(name, seed, size, count)
 }
 
-/// What every pixel sees.
-fn seen<R: Real>(scene: &Scene<R>, method: Method) -> Result<Vec<Option<u32>>, Error> {
-    each_pixel(scene.size, |col, row| scene.seen(method, (col, row)).map(|object| object as u32))
+/// What each of these pixels sees.
+fn seen<R: Real>(scene: &Scene<R>, method: Method, pixels: &[(u32, u32)]) -> Vec<Option<usize>> {
+    pixels.iter().map(|&pixel| scene.seen(method, pixel)).collect()
 }
 
 /// Pixels of the picture, none likelier than another.
@@ -176,9 +175,9 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_keeps_its_shape() {
-        assert_eq!(picture_of((480, 360), 19_200), (160, 120));
-        assert_eq!(picture_of((1, 1 << 28), 500), (2, 1 << 14));
+    fn a_small_picture_is_compared_whole() {
+        assert_eq!(compared("", 1, (2, 2), 5), [(0, 0), (1, 0), (0, 1), (1, 1)]);
+        assert_eq!(compared("", 1, (3, 2), 5).len(), 5);
     }
 
     fn measured(name: &str) -> Vec<Off> {

@@ -82,7 +82,8 @@ const HEADS: [&str; 7] = ["method", "", "ns", "", "ns/object", "other", "holes"]
 
 /// One scene: its name, what it is, and a line a method and precision.
 fn table(measured: &Measured) -> String {
-    let Measured { name, what, objects, size: (width, height), entries } = measured;
+    let Measured { name, what, objects, entries } = measured;
+    let pixels = entries.first().map_or(0, |entry| entry.off.pixels);
     let heads = HEADS.map(str::to_string).to_vec();
     let cells = |Entry { method, precision, ns, off, .. }: &Entry| {
         vec![
@@ -97,7 +98,7 @@ fn table(measured: &Measured) -> String {
     };
     let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
     let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
-    format!("{name}: {what} · {width} × {height} pixels\n{}", aligned(&lines, &starred))
+    format!("{name}: {what} · {pixels} pixels\n{}", aligned(&lines, &starred))
 }
 
 /// For each scene the fastest that sees what the reference sees.

@@ -63,7 +63,7 @@ fn pixels([least, most]: [f64; 2], off: f64, count: u32) -> Option<RangeInclusiv
     if !(least.is_finite() && most.is_finite()) {
         return Some(0..=count - 1);
     }
-    (first <= last).then(|| first as u32..=last as u32)
+    (first <= last).then_some(first as u32..=last as u32)
 }
 
 /// Where a point is.

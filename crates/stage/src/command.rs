@@ -54,10 +54,10 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
     let format = matches.get_one::<String>("format").map_or("text", String::as_str);
     let done = match matches.subcommand() {
         Some(("trade", matches)) => trade(stage, matches, &ask, output),
-        _ if format == "csv" => Err(Error::Request(
-            "--format csv is for trade; show prints text or json, and eval prints CSV in any case"
-                .to_string(),
-        )),
+        _ if format == "csv" => {
+            let eval = if about.inputs.is_empty() { "" } else { ", and eval prints CSV in any case" };
+            Err(Error::Request(format!("--format csv is for trade; show prints text or json{eval}")))
+        }
         Some(("eval", matches)) => {
             eval(stage, &ask, matches.get_one::<PathBuf>("cases").map(PathBuf::as_path), output)
         }

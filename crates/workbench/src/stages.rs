@@ -12,6 +12,7 @@ pub static ALL: &[&dyn Stage] = &[
     &quadric::stage::Quadric,
     &affine::stage::Affine,
     &signature::stage::Signature,
+    &bounds::stage::BoundsStage,
 ];
 
 /// The names of them all.

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use lab::oracle::{Dyadic, ExactRoot, Verdict, exact_sphere, exact_wall};
 use stage::{About, Precision, Stage};
-use tests::{Folder, STAGES};
+use tests::{Folder, with_cases};
 
 use crate::bars::Bars;
 use crate::draw::Draw;
@@ -50,9 +50,9 @@ fn faults(
 #[test]
 fn every_answer_is_in_order() {
     let mut failures = Vec::new();
-    for stage in STAGES {
+    for stage in with_cases() {
         let about = stage.about();
-        failures.extend(faults(*stage, &about.methods, |answer, method, precision| {
+        failures.extend(faults(stage, &about.methods, |answer, method, precision| {
             let case = case_of(&answer.want, &about, precision);
             disorder(answer).or_else(|| match about.name {
                 "pinhole" => wrong_reason(answer, method, &case, precision),
@@ -144,11 +144,11 @@ fn wrong_reason(answer: &Answer, method: &str, case: &[f64], precision: Precisio
 #[test]
 fn what_robust_decides_is_true() {
     let mut failures = Vec::new();
-    for stage in STAGES.iter().filter(|stage| stage.about().methods.contains(&"robust")) {
+    for stage in with_cases().filter(|stage| stage.about().methods.contains(&"robust")) {
         let about = stage.about();
         let bars = Bars::of(about.name);
         let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-        failures.extend(faults(*stage, &["robust"], |answer, _, precision| {
+        failures.extend(faults(stage, &["robust"], |answer, _, precision| {
             let case = case_of(&answer.want, &about, precision);
             let verdict = exact_verdict(about.name, &case);
             let what = match &verdict {

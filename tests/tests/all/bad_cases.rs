@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use stage::Stage;
-use tests::{Folder, STAGES};
+use tests::{Folder, with_cases};
 
 use crate::assert_snapshot;
 use crate::cases::{answers, field, header, plain_row, row_with};
@@ -83,10 +83,10 @@ fn utf_16(text: &str) -> Vec<u8> {
 
 #[test]
 fn a_bad_case_file_is_refused_with_its_place() {
-    for stage in STAGES {
+    for stage in with_cases() {
         let name = stage.about().name;
         let mut said = String::new();
-        for Bad { what, file, place } in bad_files(*stage) {
+        for Bad { what, file, place } in bad_files(stage) {
             let folder = Folder::new();
             folder.put("cases.csv", &file);
             let run = run(folder.path(), name, &["eval", "--cases", "cases.csv"]);
@@ -107,7 +107,7 @@ fn a_bad_case_file_is_refused_with_its_place() {
 
 #[test]
 fn a_case_file_that_cannot_be_read_is_named() {
-    for stage in STAGES {
+    for stage in with_cases() {
         let (folder, name) = (Folder::new(), stage.about().name);
         for file in ["missing.csv", "missing/cases.csv"] {
             let run = run(folder.path(), name, &["eval", "--cases", file]);
@@ -124,10 +124,10 @@ fn a_case_file_that_cannot_be_read_is_named() {
 
 #[test]
 fn standard_input_is_named_too() {
-    for stage in STAGES {
+    for stage in with_cases() {
         let (folder, name) = (Folder::new(), stage.about().name);
-        let (header, first) = (header(*stage), stage.about().inputs[0]);
-        let cases = format!("{header}\n{}\n", row_with(*stage, first, "abc"));
+        let (header, first) = (header(stage), stage.about().inputs[0]);
+        let cases = format!("{header}\n{}\n", row_with(stage, first, "abc"));
         for args in [&["eval"][..], &["eval", "--cases", "-"]] {
             let run = run_with_input(folder.path(), name, args, cases.as_bytes());
             assert_eq!(run.status, 2);
@@ -139,25 +139,25 @@ fn standard_input_is_named_too() {
 
 #[test]
 fn what_is_not_finite_is_an_invalid_case_and_no_error() {
-    for stage in STAGES {
+    for stage in with_cases() {
         let about = stage.about();
         let is_word = |column: &str| about.words.iter().any(|(name, _)| *name == column);
         for column in about.inputs.iter().filter(|column| !is_word(column)) {
             for number in ["nan", "NaN", "inf", "-inf", "1e400", "-1e400"] {
-                let row = row_with(*stage, column, number);
-                let cases = format!("{}\n{row}\n{}\n", header(*stage), plain_row(*stage));
-                let rows = answers(*stage, &cases);
+                let row = row_with(stage, column, number);
+                let cases = format!("{}\n{row}\n{}\n", header(stage), plain_row(stage));
+                let rows = answers(stage, &cases);
                 let what = format!("{}: {column} = {number}: {rows:?}", about.name);
                 assert_eq!(rows.len(), 2, "{what}");
-                assert!(field(*stage, &rows[0], "hit").is_none_or(|hit| hit == "invalid"), "{what}");
-                assert!(field(*stage, &rows[0], "reason").is_some_and(|reason| !reason.is_empty()), "{what}");
-                let empty = |name: &&str| field(*stage, &rows[0], name) == Some("");
+                assert!(field(stage, &rows[0], "hit").is_none_or(|hit| hit == "invalid"), "{what}");
+                assert!(field(stage, &rows[0], "reason").is_some_and(|reason| !reason.is_empty()), "{what}");
+                let empty = |name: &&str| field(stage, &rows[0], name) == Some("");
                 assert!(
                     about.results.iter().filter(|name| !["hit", "reason"].contains(name)).all(empty),
                     "{what}"
                 );
-                assert!(field(*stage, &rows[1], "hit").is_none_or(|hit| hit != "invalid"), "{what}");
-                assert_eq!(field(*stage, &rows[1], "reason"), Some(""), "{what}");
+                assert!(field(stage, &rows[1], "hit").is_none_or(|hit| hit != "invalid"), "{what}");
+                assert_eq!(field(stage, &rows[1], "reason"), Some(""), "{what}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The commands that are in order.
 
-use tests::{Folder, STAGES};
+use tests::{Folder, STAGES, with_cases};
 
 use crate::assert_snapshot;
 use crate::cases::{answers, header, plain_row};
@@ -75,9 +75,9 @@ fn a_new_picture_takes_the_place_of_the_old_one() {
 
 #[test]
 fn cases_come_from_a_file_or_through_a_pipe() {
-    for stage in STAGES {
+    for stage in with_cases() {
         let (folder, name) = (Folder::new(), stage.about().name);
-        let (header, row) = (header(*stage), plain_row(*stage));
+        let (header, row) = (header(stage), plain_row(stage));
         let plain = format!("{header}\n{row}\n");
         folder.put("cases.csv", &plain);
         let file = run(folder.path(), name, &["eval", "--cases", "cases.csv"]);
@@ -95,9 +95,9 @@ fn cases_come_from_a_file_or_through_a_pipe() {
 
 #[test]
 fn the_form_of_a_case_file_does_not_matter() {
-    for stage in STAGES {
-        let (header, row) = (header(*stage), plain_row(*stage));
-        let plain = answers(*stage, &format!("{header}\n{row}\n{row}\n"));
+    for stage in with_cases() {
+        let (header, row) = (header(stage), plain_row(stage));
+        let plain = answers(stage, &format!("{header}\n{row}\n{row}\n"));
         let quoted = row.split(',').map(|field| format!("\"{field}\"")).collect::<Vec<_>>().join(",");
         let [backward_header, backward_row] =
             [&header, &row].map(|line| line.split(',').rev().collect::<Vec<_>>().join(","));
@@ -111,14 +111,14 @@ fn the_form_of_a_case_file_does_not_matter() {
             ("more columns", format!("remark,{header},t\n\"a, \"\"b\"\"\",{row},\nabc,{row},nan\n")),
             ("another order", format!("{backward_header}\n{backward_row}\n{backward_row}\n")),
         ] {
-            assert_eq!(answers(*stage, &text), plain, "{}: {form}", stage.about().name);
+            assert_eq!(answers(stage, &text), plain, "{}: {form}", stage.about().name);
         }
     }
 }
 
 #[test]
 fn a_header_alone_is_a_file_without_cases() {
-    for stage in STAGES {
-        assert!(answers(*stage, &header(*stage)).is_empty());
+    for stage in with_cases() {
+        assert!(answers(stage, &header(stage)).is_empty());
     }
 }

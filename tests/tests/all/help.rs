@@ -13,7 +13,10 @@ fn every_verb_explains_itself() {
     for stage in STAGES {
         let name = stage.about().name;
         let mut texts = String::new();
-        for args in [&["--help"][..], &["show", "--help"], &["trade", "--help"], &["eval", "--help"]] {
+        let verbs = [&["--help"][..], &["show", "--help"], &["trade", "--help"], &["eval", "--help"]];
+        // the last is of stages with case files only
+        let verbs = &verbs[..if stage.about().inputs.is_empty() { 3 } else { 4 }];
+        for args in verbs {
             let help = run(folder.path(), name, args);
             assert_eq!((help.status, help.errors.as_str()), (0, ""), "{name} {args:?}");
             texts += &format!("$ {name} {}\n{}\n", args.join(" "), help.output);

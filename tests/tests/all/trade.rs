@@ -63,7 +63,8 @@ fn records_are_the_contracts() {
         for record in &records {
             assert_eq!((text(&record["regime"]), record["cases"].as_u64()), (first.clone(), Some(200)));
             assert!(record["pareto"].is_boolean(), "{record}");
-            let is_of_rays = stage.about().name != "pinhole";
+            // grids of pixels, and whole scenes
+            let is_of_rays = stage.about().name != "pinhole" && stage.about().number < 8;
             for key in OF_RAYS {
                 let value = record.get(key).unwrap_or_else(|| panic!("no {key}: {record}"));
                 assert_eq!(value.is_null(), !is_of_rays, "{key}: {record}");
@@ -149,7 +150,13 @@ fn what_a_seed_decides_is_the_same_everywhere() {
 #[test]
 fn another_seed_measures_other_cases() {
     for stage in STAGES {
-        let error = if stage.about().name == "pinhole" { "pixel_error_mean" } else { "error" };
+        let error = match stage.about().name {
+            "pinhole" => "pixel_error_mean",
+            // a seed only says which pixels of the same picture are looked at, and they see the same object
+            "signature" => continue,
+            "bounds" => "hits_per_test",
+            _ => "error",
+        };
         let [one, other] = ["1", "2"].map(|seed| {
             let records = records(*stage, &["--seed", seed]);
             records.iter().map(|record| record[error].clone()).collect::<Vec<_>>()

@@ -70,7 +70,7 @@ fn squares<R: Real>() {
         for (plane, u, v) in (0..3).flat_map(|p| (0..3).flat_map(move |u| (0..3).map(move |v| (p, u, v)))) {
             let [a, b, c, d] =
                 [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)].map(|(u, v)| corner(axis, plane, u, v));
-            triangles.extend([Triangle { a, b, c }, Triangle { a, b: c, c: d }]);
+            triangles.extend([Triangle { p1: a, p2: b, p3: c }, Triangle { p1: a, p2: c, p3: d }]);
         }
     }
     let mut whole =
