@@ -76,7 +76,9 @@ fn shown(measured: &[Measured]) -> Precision {
 fn times(measured: &[Measured]) -> LinePlot {
     let series = lines(measured, |entry| (entry.ns.median, entry.ns.low, entry.ns.high));
     let found = crossovers(&series);
-    let marks = found.iter().map(|crossover| (crossover.objects, crossover.ns, crossover.method.clone()));
+    // what is faster from the first scene on crosses nothing
+    let crossing = found.iter().filter(|it| it.crosses);
+    let marks = crossing.map(|it| (it.objects, it.ns, it.method.clone()));
     let said: Vec<String> =
         found.iter().map(|it| format!("{} from {} on", it.method, short(it.objects.ceil()))).collect();
     LinePlot {
@@ -123,6 +125,8 @@ struct Crossover {
     objects: f64,
     /// The time a ray there.
     ns: f64,
+    /// Whether none was faster before.
+    crosses: bool,
 }
 
 /// Where a line goes below that of `none`, between two points on a line of powers; `None` for those that never do.
@@ -145,13 +149,14 @@ fn crossovers(series: &[Series]) -> Vec<Crossover> {
         let method = series.name.clone();
         let Some(&(before, ns_before, plain_before)) = after.checked_sub(1).and_then(|at| both.get(at))
         else {
-            return Some(Crossover { method, objects, ns });
+            return Some(Crossover { method, objects, ns, crosses: false });
         };
         // the logarithm of the ratio of the times is 0 between the two
         let (left, right) = ((ns_before / plain_before).ln(), (ns / plain).ln());
         let share = left / (left - right);
         let between = |a: f64, b: f64| (a.ln() + (b.ln() - a.ln()) * share).exp();
-        Some(Crossover { method, objects: between(before, objects), ns: between(ns_before, ns) })
+        let (objects, ns) = (between(before, objects), between(ns_before, ns));
+        Some(Crossover { method, objects, ns, crosses: true })
     };
     series.iter().filter(|series| series.name != none.name).filter_map(crossover).collect()
 }

@@ -68,11 +68,10 @@ fn shape<R: Real>(
                 Ok(Shape::Sphere(sphere))
             }
         },
-        scene_file::Shape::Triangle { vertices } => {
-            let [p1, p2, p3] = vertices.map(moved);
-            let triangle = Triangle { p1, p2, p3 };
-            triangle.check(&any_ray()).map_err(degenerate)?;
-            Ok(Shape::Triangle(triangle))
+        scene_file::Shape::Triangle { vertices } => triangle(vertices.map(moved)).map_err(degenerate),
+        // the same points, by a shorter way
+        scene_file::Shape::Polygon { vertices } if vertices.len() == 3 => {
+            triangle([0, 1, 2].map(|corner| moved(vertices[corner]))).map_err(degenerate)
         }
         scene_file::Shape::Polygon { vertices } => {
             let polygon = Polygon::new(vertices.iter().copied().map(moved).collect());
@@ -112,6 +111,12 @@ fn shape<R: Real>(
             mesh.map(Shape::Mesh).map_err(|why| refuse.shape(&why))
         }
     }
+}
+
+fn triangle<R: Real>([p1, p2, p3]: [R::Vec3; 3]) -> Result<Shape<R>, Degenerate> {
+    let triangle = Triangle { p1, p2, p3 };
+    triangle.check(&any_ray())?;
+    Ok(Shape::Triangle(triangle))
 }
 
 fn solid<R: Real>(solid: quadric::Shape, by: Option<&Affine<f64>>) -> Result<Shape<R>, Degenerate> {

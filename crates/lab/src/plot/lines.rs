@@ -76,14 +76,25 @@ pub fn lines_svg(plot: &LinePlot) -> String {
         line(&mut svg, series, i, &x, &y);
     }
     names_at_the_end(&mut svg, &series, frame, &x, &y);
-    for (mark_x, mark_y, word) in &plot.marks {
-        let at = (x.at(scaled(*mark_x)), y.at(scaled(*mark_y)));
-        if at.0.is_finite() && at.1.is_finite() {
-            svg.circle(at, 7.0, None, Stroke::solid(INK, 2.0));
-            svg.text((at.0, at.1 - 14.0), Letters::new(15.0, INK).at(Anchor::Middle), word);
-        }
-    }
+    ring_marks(&mut svg, plot, |(mark_x, mark_y)| (x.at(scaled(mark_x)), y.at(scaled(mark_y))));
     svg.finish()
+}
+
+/// The marks, each with its word above; words that would stand on each other are put on lines of their own.
+fn ring_marks(svg: &mut Svg, plot: &LinePlot, at: impl Fn((f64, f64)) -> (f64, f64)) {
+    let places = plot.marks.iter().map(|(x, y, word)| (at((*x, *y)), word));
+    let mut places: Vec<_> = places.filter(|((x, y), _)| x.is_finite() && y.is_finite()).collect();
+    places.sort_by(|((a, _), _), ((b, _), _)| a.total_cmp(b));
+    let mut right_of_last = f64::NEG_INFINITY;
+    let mut last_line = f64::INFINITY;
+    for ((x, y), word) in places {
+        let half = width(word, 15.0) / 2.0;
+        let above = y - 14.0;
+        let line = if x - half < right_of_last { above.min(last_line - 18.0) } else { above };
+        svg.circle((x, y), 7.0, None, Stroke::solid(INK, 2.0));
+        svg.text((x, line), Letters::new(15.0, INK).at(Anchor::Middle), word);
+        (right_of_last, last_line) = (right_of_last.max(x + half + 6.0), line);
+    }
 }
 
 fn finite(series: &Series, scaled: impl Fn(f64) -> f64) -> Series {
