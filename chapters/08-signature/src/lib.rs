@@ -17,6 +17,8 @@ mod false_color;
 pub mod first_hit;
 #[cfg(feature = "stage")]
 pub mod from_file;
+#[cfg(all(test, feature = "stage"))]
+mod judged;
 #[cfg(feature = "stage")]
 mod measure;
 #[cfg(feature = "stage")]
