@@ -1,8 +1,8 @@
 //! Axis-aligned boxes.
 //!
 //! A box need not fit to the last digit, it must only leave nothing out. So its faces are `f32`, whatever the
-//! precision of what is in it, rounded outward: half the memory of `f64`, twice as many to a register, and one box
-//! serves rays of both precisions.
+//! precision of what is in it, rounded outward: half the memory of `f64`, twice as many to a register, and
+//! one box serves rays of both precisions.
 
 use math::{Real, Vector};
 
@@ -16,14 +16,15 @@ pub struct Box3 {
 }
 
 impl Box3 {
-    /// 2¹²⁶: the largest finite face or origin. The difference of two such numbers does not overflow, so that a distance is
-    /// infinite only where a face is.
+    /// 2¹²⁶: the largest finite face or origin. The difference of two such numbers does not overflow, so that
+    /// a distance is infinite only where a face is.
     pub(crate) const FARTHEST: f32 = f32::from_bits((127 + 126) << 23);
 
     /// The box with nothing in it; united with another it is the other.
     pub const EMPTY: Box3 = Box3 { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
-    /// The smallest such box around points. A NaN among their numbers is passed over: refuse such a shape before.
+    /// The smallest such box around points. A NaN among their numbers is passed over: refuse such a shape
+    /// before.
     #[inline]
     pub fn around<R: Real>(points: impl IntoIterator<Item = R::Vec3>) -> Box3 {
         let around_one = |point: R::Vec3| {
@@ -33,7 +34,8 @@ impl Box3 {
         points.into_iter().fold(Box3::EMPTY, |all, point| all.union(&around_one(point)))
     }
 
-    /// The box around a sphere. c ∓ r is rounded once more than a point, so it goes to the next number outward first.
+    /// The box around a sphere. c ∓ r is rounded once more than a point, so it goes to the next number
+    /// outward first.
     #[inline]
     pub fn around_sphere<R: Real>(center: R::Vec3, radius: R) -> Box3 {
         let (c, r): ([f64; 3], f64) = (center.in_f64(), radius.into());
@@ -52,11 +54,11 @@ impl Box3 {
         }
     }
 
-    /// Half the area of its surface: what a random ray is as likely to meet as this is large. Finite; zero for a box with
-    /// nothing in it.
+    /// Half the area of its surface: what a random ray is as likely to meet as this is large. Finite; zero
+    /// for a box with nothing in it.
     ///
-    /// In `f64`, where the square of an `f32` neither overflows nor vanishes; an infinite face is taken for a large number,
-    /// as 0 · ∞ would be NaN.
+    /// In `f64`, where the square of an `f32` neither overflows nor vanishes; an infinite face is taken for a
+    /// large number, as 0 · ∞ would be NaN.
     #[inline]
     pub fn half_area(&self) -> f64 {
         let size = |axis: usize| {

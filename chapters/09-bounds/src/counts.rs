@@ -11,7 +11,8 @@ pub struct Counts {
     pub hits: u64,
 }
 
-/// Who counts: [`Counts`], or [`Uncounted`], which costs nothing as nothing is left of it in the compiled program.
+/// Who counts: [`Counts`], or [`Uncounted`], which costs nothing as nothing is left of it in the compiled
+/// program.
 pub trait Tally {
     /// So many more boxes were tested.
     fn boxes(&mut self, more: usize);

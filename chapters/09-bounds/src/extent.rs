@@ -2,12 +2,13 @@
 
 use crate::Box3;
 
-/// The low faces, and the high ones with the other sign: then the union of two is the smaller of each, which two
-/// instructions do for all. (A number is left over on either side, so that they are four and four.)
+/// The low faces, and the high ones with the other sign: then the union of two is the smaller of each, which
+/// two instructions do for all. (A number is left over on either side, so that they are four and four.)
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent([f32; 8]);
 
-/// What stands in for an infinite face: the only finite number that is above the largest of a box. The sum of two does not overflow.
+/// What stands in for an infinite face: the only finite number that is above the largest of a box. The sum of
+/// two does not overflow.
 const BEYOND: f32 = 1.5 * Box3::FARTHEST;
 
 impl Extent {
@@ -56,9 +57,10 @@ impl Extent {
         self.0[axis] - self.0[axis + 4]
     }
 
+    /// The low faces.
     #[inline(always)]
-    pub(crate) fn low(&self, axis: usize) -> f32 {
-        self.0[axis]
+    pub(crate) fn lows(&self) -> [f32; 3] {
+        [self.0[0], self.0[1], self.0[2]]
     }
 
     /// How long it is on each axis: high − low.

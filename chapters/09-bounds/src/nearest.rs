@@ -4,8 +4,8 @@ use math::{Real, Span};
 
 use crate::slab::Reach;
 
-/// The nearest hit so far. It does not depend on the order in which the hits come, for of two at the same t the
-/// earlier object wins: so every search agrees with going through all objects one after the other.
+/// The nearest hit so far. It does not depend on the order in which the hits come, for of two at the same t
+/// the earlier object wins: so every search agrees with going through all objects one after the other.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<R> {
     /// Where a hit is still of interest: no farther than the nearest one.

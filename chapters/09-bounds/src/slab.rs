@@ -1,31 +1,36 @@
 //! Does a ray pass a box? A slab an axis, and never a wrong no.
 //!
-//! Between the two faces of an axis a ray is for t from (first − o) / d to (last − o) / d, where `first` is the face that
-//! it meets first. It is in the box where it is in all three slabs: from the largest of the three beginnings to the
-//! smallest of the three ends, and past it if that is no stretch. (This is chapter 02's wall, three times.)
+//! Between the two faces of an axis a ray is for t from (first − o) / d to (last − o) / d, where `first` is
+//! the face that it meets first. It is in the box where it is in all three slabs: from the largest of the
+//! three beginnings to the smallest of the three ends, and past it if that is no stretch. (This is chapter
+//! 02's wall, three times.)
 //!
-//! Rounded, a stretch that is a point may seem to be none: a flat box, a ray along a face, a corner. Then a hit would be
-//! lost. So the beginning is computed to be too small and the end too large, by no more than it takes. All of it in
-//! `f32`, for rays of `f64` too. With u = 2⁻²⁴, the error of one operation, and a ray upward (d > 0):
+//! Rounded, a stretch that is a point may seem to be none: a flat box, a ray along a face, a corner. Then a
+//! hit would be lost. So the beginning is computed to be too small and the end too large, by no more than it
+//! takes. All of it in `f32`, for rays of `f64` too. With u = 2⁻²⁴, the error of one operation, and a ray
+//! upward (d > 0):
 //!
-//! - **The origin.** An `f64` is rounded up for the first face and down for the last, so that first − o is too
-//!   small and last − o too large.
-//! - **The difference** may be (1 + u) times too large, and has to be within that of too small as well. Sums need no care
-//!   when they are tiny, and none overflows (see [`Box3`]).
-//! - **One over d** is off by u and, rounded twice for `f64`, by 2⁻⁵³. Times 1 ∓ 4u, rounded once more, it makes up for that and
-//!   for the difference. What is subnormal has no relative error; four times the smallest number is more than
-//!   all the halves of it that were rounded.
-//! - **The product** needs nothing. If x ≤ t, then x rounded is not above t rounded, and t rounded is not above y rounded if
-//!   t ≤ y: rounding keeps an order. So the beginning is not above the end, where a true t is between them.
+//! - **The origin.** An `f64` is rounded up for the first face and down for the last, so that first − o is
+//!   too small and last − o too large.
+//! - **The difference** may be (1 + u) times too large, and has to be within that of too small as well. Sums
+//!   need no care when they are tiny, and none overflows (see [`Box3`]).
+//! - **One over d** is off by u and, rounded twice for `f64`, by 2⁻⁵³. Times 1 ∓ 4u, rounded once more, it
+//!   makes up for that and for the difference. What is subnormal has no relative error; four times the
+//!   smallest number is more than all the halves of it that were rounded.
+//! - **The product** needs nothing. If x ≤ t, then x rounded is not above t rounded, and t rounded is not
+//!   above y rounded if t ≤ y: rounding keeps an order. So the beginning is not above the end, where a true t
+//!   is between them.
 //!
-//! Where that has the wrong sign it does not matter: a first face behind the origin gives a number below zero, and t
-//! starts from zero anyway; a last face behind it is a miss.
+//! Where that has the wrong sign it does not matter: a first face behind the origin gives a number below
+//! zero, and t starts from zero anyway; a last face behind it is a miss.
 //!
-//! **d = 0** makes one over d infinite, and the slab all or nothing: ±∞ for faces apart from o, which is right, and
-//! 0 · ∞ = NaN for a face at o. A ray within a face is in the box, so such a face must not decide anything: each comparison
-//! is written so that NaN leaves the other number. The same goes for an infinite face times zero.
+//! **d = 0** makes one over d infinite, and the slab all or nothing: ±∞ for faces apart from o, which is
+//! right, and 0 · ∞ = NaN for a face at o. A ray within a face is in the box, so such a face must not decide
+//! anything: each comparison is written so that NaN leaves the other number. The same goes for an infinite
+//! face times zero.
 //!
-//! See Ize, *Robust BVH Ray Traversal* (2013), who widens the end alone and by 4u + 2u, as his rays are `f32` and start outside.
+//! See Ize, *Robust BVH Ray Traversal* (2013), who widens the end alone and by 4u + 2u, as his rays are `f32`
+//! and start outside.
 
 use math::{Ray3, Real, Span};
 
@@ -58,7 +63,8 @@ const UNIT: f32 = f32::EPSILON / 2.0;
 const SMALLEST: f32 = f32::from_bits(1);
 
 impl Slabs {
-    /// Works out what all boxes have in common. A ray that is not finite, or without direction, passes any box.
+    /// Works out what all boxes have in common. A ray that is not finite, or without direction, passes any
+    /// box.
     #[inline(always)]
     pub fn new<R: Real>(ray: &Ray3<R>) -> Slabs {
         let (o, d) = (R::xyz(ray.origin), R::xyz(ray.direction));
@@ -79,8 +85,8 @@ impl Slabs {
         slabs
     }
 
-    /// Where the ray enters the box, not below `reach.min` and never too late; `None` where it surely passes the box, or
-    /// is in it outside `reach` only.
+    /// Where the ray enters the box, not below `reach.min` and never too late; `None` where it surely passes
+    /// the box, or is in it outside `reach` only.
     #[inline(always)]
     pub fn enter(&self, bounds: &Box3, reach: Reach) -> Option<f32> {
         let (mut near, mut far) = (reach.min, reach.max);
@@ -131,8 +137,9 @@ impl Reach {
 
     /// A span widened by [`Reach::ULPS`]; what begins below zero begins at zero.
     ///
-    /// A unit of the last digit of t is at most 2^(1 − DIGITS) |t|, or the smallest number. Twice that is taken, which leaves room for the
-    /// roundings here. The last of them, to `f32`, keeps the order that [`Slabs::enter`] relies on.
+    /// A unit of the last digit of t is at most 2^(1 − DIGITS) |t|, or the smallest number. Twice that is
+    /// taken, which leaves room for the roundings here. The last of them, to `f32`, keeps the order that
+    /// [`Slabs::enter`] relies on.
     #[inline(always)]
     pub fn of<R: Real>(span: Span<R>) -> Reach {
         let digit = 2.0 / (1u64 << (R::DIGITS - 1)) as f64;

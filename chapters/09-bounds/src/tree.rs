@@ -1,31 +1,34 @@
 //! A bounding volume hierarchy: boxes in boxes.
 //!
-//! CSC418 11.5 bounds an object, so that a ray that misses the bound need not be tried on the object. Bound the bounds in the
-//! same way, two and two together, and a ray that misses one large box is done with all that is in it: with half of the
-//! scene, then half of the rest. A million objects are twenty such halves.
+//! CSC418 11.5 bounds an object, so that a ray that misses the bound need not be tried on the object. Bound
+//! the bounds in the same way, two and two together, and a ray that misses one large box is done with all
+//! that is in it: with half of the scene, then half of the rest. A million objects are twenty such halves.
 //!
-//! It is built in `tree/build.rs` and searched here, with a list of what is still to do in place of recursion. The nearer one of
-//! two boxes is looked into first. What is found there often lies before the other one, which then is never opened.
+//! It is built in `tree/build.rs` and searched here, with a list of what is still to do in place of
+//! recursion. The nearer one of two boxes is looked into first. What is found there often lies before the
+//! other one, which then is never opened.
 
 pub(crate) mod build;
 
 use math::{Ray3, Real, Span};
 
 use crate::{Box3, Nearest, Slabs, Tally};
-use build::{Costs, MAX_DEPTH};
+use build::MAX_DEPTH;
 
 /// A box, and what is in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Node {
     /// Around all that is in it.
     pub(crate) bounds: Box3,
-    /// Of a leaf, its first place in the order; of another node, its first child. The second child follows it.
+    /// Of a leaf, its first place in the order; of another node, its first child. The second child follows
+    /// it.
     pub(crate) first: u32,
     /// How many objects a leaf has; 0 for another node.
     pub(crate) count: u32,
 }
 
-/// A tree over boxes. It knows no objects: who searches it brings the test of one object, by its place among the boxes.
+/// A tree over boxes. It knows no objects: who searches it brings the test of one object, by its place among
+/// the boxes.
 #[derive(Clone, Debug)]
 pub struct Tree {
     /// The root first. None for no boxes at all.
@@ -37,14 +40,16 @@ pub struct Tree {
 impl Tree {
     /// A tree over boxes, of which there are fewer than 2³².
     pub fn build(boxes: &[Box3]) -> Tree {
-        build::tree(boxes, Costs::ONE_BY_ONE)
+        build::tree(boxes, 1..=4)
     }
 
-    /// The object with the smallest t in `span`, and that t; `None` if none is hit. At the same t the earlier object wins.
+    /// The object with the smallest t in `span`, and that t; `None` if none is hit. At the same t the earlier
+    /// object wins.
     ///
-    /// `test(index, span)` is the t of one object if it is hit in that span, which shrinks as hits are found. The answer is exactly
-    /// that of trying all objects in turn, if each test's t is within [`Reach::ULPS`](crate::Reach::ULPS) of a point in the
-    /// object's box. A span that begins below zero is taken to begin at zero.
+    /// `test(index, span)` is the t of one object if it is hit in that span, which shrinks as hits are found.
+    /// The answer is exactly that of trying all objects in turn, if each test's t is within
+    /// [`Reach::ULPS`](crate::Reach::ULPS) of a point in the object's box. A span that begins below zero is
+    /// taken to begin at zero.
     pub fn closest<R: Real>(
         &self,
         ray: &Ray3<R>,
@@ -55,7 +60,8 @@ impl Tree {
         self.search::<R, false>(ray, span, counts, test)
     }
 
-    /// Whether any object is hit in `span`: the search ends with the first. `test(index, span)` says so of one.
+    /// Whether any object is hit in `span`: the search ends with the first. `test(index, span)` says so of
+    /// one.
     pub fn any<R: Real>(
         &self,
         ray: &Ray3<R>,
@@ -67,7 +73,8 @@ impl Tree {
         self.search::<R, true>(ray, span, counts, somewhere).is_some()
     }
 
-    /// Tests what is in the boxes that the ray enters before the nearest hit so far; `ANY`: until something is hit.
+    /// Tests what is in the boxes that the ray enters before the nearest hit so far; `ANY`: until something
+    /// is hit.
     #[inline(always)]
     fn search<R: Real, const ANY: bool>(
         &self,
@@ -82,11 +89,10 @@ impl Tree {
         counts.boxes(1);
         slabs.enter(&at.bounds, nearest.reach)?;
 
-        // One sibling may wait on each level, with the t where the ray enters it.
-        let mut waiting = [(0.0, at); MAX_DEPTH];
+        // what is still to do, with the t where the ray enters it: one sibling on each level, and one more
+        let mut waiting = [(0.0, at); MAX_DEPTH + 1];
         let mut count = 0;
         loop {
-            let mut next = None;
             if at.count > 0 {
                 counts.tests(at.count as usize);
                 for &index in &self.order[at.first as usize..][..at.count as usize] {
@@ -100,27 +106,27 @@ impl Tree {
                 }
             } else {
                 counts.boxes(2);
-                let [left, right] = [0, 1].map(|child| &self.nodes[at.first as usize + child]);
-                let enter = |child: &Node| slabs.enter(&child.bounds, nearest.reach);
-                next = match (enter(left), enter(right)) {
-                    (Some(t_left), Some(t_right)) => {
-                        let left_first = t_left <= t_right;
-                        waiting[count] = if left_first { (t_right, right) } else { (t_left, left) };
+                let below = count;
+                for child in &self.nodes[at.first as usize..][..2] {
+                    if let Some(t) = slabs.enter(&child.bounds, nearest.reach) {
+                        waiting[count] = (t, child);
                         count += 1;
-                        Some(if left_first { left } else { right })
                     }
-                    (Some(_), None) => Some(left),
-                    (None, Some(_)) => Some(right),
-                    (None, None) => None,
-                };
+                }
+                // the nearer one on top; of two at the same t, which do not matter, the second
+                if count == below + 2 && waiting[below].0 < waiting[below + 1].0 {
+                    waiting.swap(below, below + 1);
+                }
             }
-            // the latest one that waits, if the ray does not hit before it
-            while next.is_none() && count > 0 {
-                count -= 1;
-                next = Some(waiting[count]).filter(|(t, _)| *t <= nearest.reach.max).map(|(_, node)| node);
+            // the latest that waits, if the ray does not hit before it
+            loop {
+                let Some(top) = count.checked_sub(1) else { return nearest.hit() };
+                count = top;
+                at = waiting[top].1;
+                if waiting[top].0 <= nearest.reach.max {
+                    break;
+                }
             }
-            let Some(node) = next else { return nearest.hit() };
-            at = node;
         }
     }
 }

@@ -1,19 +1,20 @@
 //! The fast corner: a tree eight wide. No other chapter needs to understand it.
 //!
-//! [`Tree`](crate::Tree) asks of two boxes at a time. An AVX register holds eight numbers of `f32`, so eight boxes cost little
-//! more than one, if they stand side by side in memory. That changes everything a little:
+//! [`Tree`](crate::Tree) asks of two boxes at a time. An AVX register holds eight numbers of `f32`, so eight
+//! boxes cost little more than one, if they stand side by side in memory. That changes everything a little:
 //!
-//! 1. **Nodes of eight** (`node.rs`), with a column for each face. They are collapsed from a binary tree (`collapse.rs`), so that
-//!    as few as possible are opened.
-//! 2. **The search** (`search.rs`) gets t for eight boxes and a bit for each that the ray enters. Those wait with their t, the nearest on
-//!    top, and what has come to lie behind a hit is dropped when its turn comes.
-//! 3. **Triangles in blocks of eight** ([`WideMesh`]), which are tested at once: by chapter 05's `matrix`, eight times the
-//!    same formula, or by a test in plain numbers that only says who is surely missed, before chapter 05's `robust`.
-//! 4. **Instructions chosen at run time** (`dispatch.rs`), as in chapter 04: the loops are written plainly, one lane after the
-//!    other, and compiled twice.
+//! 1. **Nodes of eight** (`node.rs`), with a column for each face. They are collapsed from a binary tree
+//!    (`collapse.rs`), so that as few as possible are opened.
+//! 2. **The search** (`search.rs`) gets t for eight boxes and a bit for each that the ray enters. Those wait
+//!    with their t, the nearest on top, and what has come to lie behind a hit is dropped when its turn comes.
+//! 3. **Triangles in blocks of eight** ([`WideMesh`]), which are tested at once: by chapter 05's `matrix`,
+//!    eight times the same formula, or by a test in plain numbers that only says who is surely missed, before
+//!    chapter 05's `robust`.
+//! 4. **Instructions chosen at run time** (`dispatch.rs`), as in chapter 04: the loops are written plainly,
+//!    one lane after the other, and compiled twice.
 //!
-//! Every lane is rounded as a number by itself would be, and nothing is fused. So neither an answer nor a count depends on the
-//! instructions, and an answer is the one of going through all objects in turn.
+//! Every lane is rounded as a number by itself would be, and nothing is fused. So neither an answer nor a
+//! count depends on the instructions, and an answer is the one of going through all objects in turn.
 
 mod block;
 mod collapse;
@@ -24,9 +25,11 @@ mod node;
 mod robust;
 mod search;
 
+use std::ops::RangeInclusive;
+
 use math::{Ray3, Real, Span};
 
-use crate::tree::build::{self, Costs};
+use crate::tree::build;
 use crate::{Box3, Nearest, Tally, Tree};
 use collapse::{Prices, collapse};
 use dispatch::Work;
@@ -48,7 +51,7 @@ pub struct Wide {
 impl Wide {
     /// A tree over boxes, of which there are fewer than 2²⁷.
     pub fn build(boxes: &[Box3]) -> Wide {
-        let tree = binary(boxes, Costs::EIGHT_WIDE);
+        let tree = binary(boxes, 1..=2);
         let nodes = collapse(&tree, Prices::ONE_BY_ONE);
         Wide { stack: Stack::of(&nodes), nodes, order: tree.order, instructions: Instructions::Best }
     }
@@ -98,8 +101,8 @@ impl Wide {
 }
 
 /// The binary tree that is then collapsed.
-fn binary(boxes: &[Box3], costs: Costs) -> Tree {
-    struct Build<'a>(&'a [Box3], Costs);
+fn binary(boxes: &[Box3], leaves: RangeInclusive<usize>) -> Tree {
+    struct Build<'a>(&'a [Box3], RangeInclusive<usize>);
     impl Work for Build<'_> {
         type Answer = Tree;
         #[inline(always)]
@@ -108,7 +111,7 @@ fn binary(boxes: &[Box3], costs: Costs) -> Tree {
         }
     }
     assert!(boxes.len() < Child::MOST, "{} boxes are too many", boxes.len());
-    dispatch::run(Instructions::Best, Build(boxes, costs))
+    dispatch::run(Instructions::Best, Build(boxes, leaves))
 }
 
 /// Leaves whose objects only the caller knows.

@@ -76,7 +76,8 @@ fn triangles_of_many_sizes() {
     triangles::<f32>(4);
 }
 
-/// From inside a closed mesh at its edges: by `robust` no ray slips out, by `matrix` as many as do without a tree.
+/// From inside a closed mesh at its edges: by `robust` no ray slips out, by `matrix` as many as do without a
+/// tree.
 fn ball<R: Real>(seed: u64) {
     let mut numbers = Numbers(seed);
     let mesh = bumpy_ball::<R>(3, [0.0; 3]);

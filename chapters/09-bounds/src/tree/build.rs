@@ -1,13 +1,18 @@
 //! Where to divide: the surface-area heuristic.
 //!
-//! A random ray that meets a box meets another one inside it with the probability of their areas' ratio. So a division into
-//! a left and a right box costs (A_left n_left + A_right n_right) / A tests of objects, and the cheapest one is taken:
-//! of those between [`BINS`] bins an axis, which the middles of the boxes are sorted into. (MacDonald and Booth 1990; Wald 2007.)
+//! A random ray that meets a box meets another one inside it with the probability of their areas' ratio. So a
+//! division into a left and a right box costs (A_left n_left + A_right n_right) / A tests of objects, and to
+//! open the node one more. The cheapest division is taken, of those between 16 bins an axis, which the
+//! middles of the boxes are sorted into; or none, for a leaf, if testing all is cheaper. (MacDonald and Booth
+//! 1990; the bins are Wald's, 2007.)
 //!
-//! A division by cost may leave a single box on one side, level after level. [`MAX_DEPTH`] bounds that: a node is
-//! halved instead, as soon as its boxes would need all the levels that are left. n boxes halved ⌈log₂ n⌉ times are single, so
-//! if n ≤ 2^left holds at a node, it does at both children: of a halved one they have at most ⌈n/2⌉ ≤ 2^(left − 1) boxes, and a node
-//! is divided by cost only if n ≤ 2^(left − 1) itself. At the root left = MAX_DEPTH and n < 2³².
+//! A division by cost may take off a single box, level after level. [`MAX_DEPTH`] bounds that: a node is
+//! halved instead as soon as its boxes need all the levels that are left. n boxes are single after ⌈log₂ n⌉
+//! halvings, and n ≤ 2^levels holds at every node: at the root, as n < 2³²; at a half, which has at most
+//! ⌈n/2⌉ ≤ 2^(levels − 1) boxes; and elsewhere, as a node is divided by cost only if n ≤ 2^(levels − 1)
+//! itself.
+
+use std::ops::RangeInclusive;
 
 use super::{Node, Tree};
 use crate::Box3;
@@ -15,37 +20,12 @@ use crate::extent::Extent;
 
 /// No leaf is deeper. The tree of 2³² boxes could be 32 deep with no choice left, so there is some.
 pub(crate) const MAX_DEPTH: usize = 48;
-/// Of 8, 16 and 32 the best in build and search together.
 const BINS: usize = 16;
 
-/// What a search pays, in tests of one object.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Costs {
-    /// To open a node.
-    pub(crate) node: f64,
-    /// The largest leaf.
-    pub(crate) leaf: usize,
-    /// So few make a leaf unasked; one at least.
-    pub(crate) surely_leaf: usize,
-}
+/// A box on its way to a leaf, and its place among the boxes.
+type Item = (Extent, u32);
 
-impl Costs {
-    /// For a leaf whose objects are tested one after the other.
-    pub(crate) const ONE_BY_ONE: Costs = Costs { node: 1.0, leaf: 4, surely_leaf: 1 };
-    /// The same, for a tree that is collapsed: what is best together is decided then.
-    pub(crate) const EIGHT_WIDE: Costs = Costs { node: 1.0, leaf: 2, surely_leaf: 1 };
-    /// For leaves that are tested at once, up to eight.
-    pub(crate) const BLOCKS: Costs = Costs { node: 1.0, leaf: 4, surely_leaf: 4 };
-}
-
-/// A box on its way to a leaf.
-#[derive(Clone, Copy)]
-struct Item {
-    bounds: Extent,
-    index: u32,
-}
-
-/// The items on one side of a division, or in one bin.
+/// What is on one side of a division, or in one bin.
 #[derive(Clone, Copy)]
 struct Side {
     bounds: Extent,
@@ -55,155 +35,112 @@ struct Side {
 impl Side {
     const EMPTY: Side = Side { bounds: Extent::EMPTY, count: 0 };
 
-    #[inline(always)]
     fn with(&self, other: &Side) -> Side {
         Side { bounds: self.bounds.union(&other.bounds), count: self.count + other.count }
     }
 
-    #[inline(always)]
     fn of(items: &[Item]) -> Side {
-        let bounds = items.iter().fold(Extent::EMPTY, |all, item| all.union(&item.bounds));
+        let bounds = items.iter().fold(Extent::EMPTY, |all, (bounds, _)| all.union(bounds));
         Side { bounds, count: items.len() }
     }
 
-    #[inline(always)]
-    fn cost(&self) -> f64 {
-        self.bounds.half_area() * self.count as f64
+    fn leaf(&self, first: usize) -> Node {
+        Node { bounds: self.bounds.to_box(), first: first as u32, count: self.count as u32 }
     }
 }
 
-/// A node to be made.
-struct Task {
-    at: usize,
-    start: usize,
-    all: Side,
-    /// How many levels there may be below.
+/// A division: its cost, its axis, the last bin of its left side, and what is on either side.
+type Division = (f64, usize, usize, [Side; 2]);
+
+/// The tree. Up to so many boxes as `leaves` begins with are a leaf unasked (one at least); up to as many as
+/// it ends with, if it is cheaper. (Inlined, to be compiled for wider instructions too.)
+#[inline(always)]
+pub(crate) fn tree(boxes: &[Box3], leaves: RangeInclusive<usize>) -> Tree {
+    let mut items: Vec<Item> = boxes.iter().map(Extent::of).zip(0..).collect();
+    let root = Side::of(&items);
+    let mut nodes = vec![root.leaf(0)];
+    // which node, its first item, what is in it, and how many levels there may be below
+    let mut todo = vec![(0, 0, root, MAX_DEPTH)];
+    while let Some((at, start, all, levels)) = todo.pop() {
+        let here = &mut items[start..][..all.count];
+        let Some([left, right]) = divide(here, &all, levels, &leaves) else { continue };
+        let (first, middle) = (nodes.len(), start + left.count);
+        (nodes[at].first, nodes[at].count) = (first as u32, 0);
+        nodes.extend([left.leaf(start), right.leaf(middle)]);
+        todo.push((first + 1, middle, right, levels - 1));
+        todo.push((first, start, left, levels - 1));
+    }
+    nodes.truncate(2 * items.len()); // no box, no root
+    Tree { nodes, order: items.iter().map(|(_, index)| *index).collect() }
+}
+
+/// Moves the items of the left side before those of the right one, and says what is on either; `None` for a
+/// leaf.
+#[inline(always)]
+fn divide(
+    items: &mut [Item],
+    all: &Side,
     levels: usize,
-}
-
-/// A division between two bins.
-#[derive(Clone, Copy)]
-struct Division {
-    cost: f64,
-    axis: usize,
-    /// The last bin of the left side.
-    last: usize,
-    sides: [Side; 2],
-}
-
-/// Bins from the smallest to the largest middle on each axis.
-struct Bins {
-    count: usize,
-    start: [f32; 3],
-    scale: [f32; 3],
-}
-
-impl Bins {
-    #[inline(always)]
-    fn new(items: &[Item]) -> Bins {
-        let middles = items.iter().fold(Extent::EMPTY, |all, item| all.union(&item.bounds.twice_middles()));
-        let (count, size) = (BINS.min(items.len()), middles.size());
-        let scale = [0, 1, 2].map(|axis| count as f32 / size[axis]);
-        Bins { count, start: [0, 1, 2].map(|axis| middles.low(axis)), scale }
-    }
-
-    /// In which bin an item is. A NaN, for middles that are all one, is in bin 0, like all the others.
-    #[inline(always)]
-    fn of(&self, item: &Item, axis: usize) -> usize {
-        let place = (item.bounds.twice_middle(axis) - self.start[axis]) * self.scale[axis];
-        (place as i32 as usize).min(self.count - 1)
-    }
-}
-
-/// The tree.
-#[inline(always)]
-pub(crate) fn tree(boxes: &[Box3], costs: Costs) -> Tree {
-    let mut nodes = Vec::with_capacity(boxes.len());
-    let mut items = Vec::with_capacity(boxes.len());
-    for (index, bounds) in boxes.iter().enumerate() {
-        items.push(Item { bounds: Extent::of(bounds), index: index as u32 });
-    }
-    let mut todo = Vec::new();
-    if !items.is_empty() {
-        nodes.push(Node { bounds: Box3::EMPTY, first: 0, count: 0 });
-        todo.push(Task { at: 0, start: 0, all: Side::of(&items), levels: MAX_DEPTH });
-    }
-    while let Some(Task { at, start, all, levels }) = todo.pop() {
-        let first = nodes.len();
-        nodes[at] = Node { bounds: all.bounds.to_box(), first: first as u32, count: 0 };
-        let here = &mut items[start..start + all.count];
-        let Some([left, right]) = divide(here, &all, levels, costs) else {
-            (nodes[at].first, nodes[at].count) = (start as u32, all.count as u32);
-            continue;
-        };
-        nodes.extend([nodes[at]; 2]);
-        let middle = start + left.count;
-        todo.push(Task { at: first + 1, start: middle, all: right, levels: levels - 1 });
-        todo.push(Task { at: first, start, all: left, levels: levels - 1 });
-    }
-    Tree { nodes, order: items.iter().map(|item| item.index).collect() }
-}
-
-/// Moves the items of the left side before those of the right one, and says what is on either; `None` for a leaf.
-#[inline(always)]
-fn divide(items: &mut [Item], all: &Side, levels: usize, costs: Costs) -> Option<[Side; 2]> {
-    if items.len() <= costs.surely_leaf {
+    leaves: &RangeInclusive<usize>,
+) -> Option<[Side; 2]> {
+    if items.len() <= *leaves.start() {
         return None;
     }
-    let bins = Bins::new(items);
-    let best = cheapest(items, &bins);
-    if items.len() <= costs.leaf {
-        let area = all.bounds.half_area();
-        let divided = best.map_or(f64::INFINITY, |best| costs.node * area + best.cost);
-        if area * items.len() as f64 <= divided {
-            return None;
-        }
+    // bins from the smallest to the largest middle; a NaN, for middles that are all one, is in the first like
+    // all others
+    let middles = items.iter().fold(Extent::EMPTY, |all, (bounds, _)| all.union(&bounds.twice_middles()));
+    let (bins, start, size) = (BINS.min(items.len()), middles.lows(), middles.size());
+    let scale = size.map(|size| bins as f32 / size);
+    let bin = |bounds: &Extent, axis: usize| {
+        (((bounds.twice_middle(axis) - start[axis]) * scale[axis]) as i32 as usize).min(bins - 1)
+    };
+    let cheapest = cheapest(items, bins, bin);
+    let area = all.bounds.half_area();
+    let as_leaf = area * items.len() as f64;
+    if items.len() <= *leaves.end() && cheapest.is_none_or(|(cost, ..)| as_leaf <= area + cost) {
+        return None;
     }
-    let must_halve = items.len() > 1 << (levels - 1);
-    let Some(best) = best.filter(|_| !must_halve) else {
-        let middle = items.len() / 2;
-        let at = |item: &Item| item.bounds.twice_middle(0);
+    let may_choose = items.len() <= 1 << (levels - 1);
+    let Some((_, axis, last, sides)) = cheapest.filter(|_| may_choose) else {
+        let (middle, at) = (items.len() / 2, |item: &Item| item.0.twice_middle(0));
         items.select_nth_unstable_by(middle, |a, b| at(a).total_cmp(&at(b)));
-        let (left, right) = items.split_at(middle);
-        return Some([left, right].map(Side::of));
+        return Some([Side::of(&items[..middle]), Side::of(&items[middle..])]);
     };
     let mut left = 0;
     for place in 0..items.len() {
-        if bins.of(&items[place], best.axis) <= best.last {
+        if bin(&items[place].0, axis) <= last {
             items.swap(place, left);
             left += 1;
         }
     }
-    Some(best.sides)
+    Some(sides)
 }
 
 /// The cheapest division of all; `None` where all middles are one.
 #[inline(always)]
-fn cheapest(items: &[Item], bins: &Bins) -> Option<Division> {
+fn cheapest(items: &[Item], bins: usize, bin: impl Fn(&Extent, usize) -> usize) -> Option<Division> {
     let mut filled = [[Side::EMPTY; BINS]; 3];
-    for item in items {
+    for (bounds, _) in items {
         for (axis, filled) in filled.iter_mut().enumerate() {
-            let bin = &mut filled[bins.of(item, axis) & (BINS - 1)];
-            *bin = bin.with(&Side { bounds: item.bounds, count: 1 });
+            let side = &mut filled[bin(bounds, axis)];
+            *side = side.with(&Side { bounds: *bounds, count: 1 });
         }
     }
     let mut best: Option<Division> = None;
     for (axis, filled) in filled.iter().enumerate() {
-        // the right sides, then the left ones against them
-        let mut rights = [Side::EMPTY; BINS];
-        let mut right = Side::EMPTY;
-        for bin in (1..bins.count).rev() {
-            right = right.with(&filled[bin]);
-            rights[bin] = right;
+        // all right sides first, then each left one with its right one
+        let mut rights = [Side::EMPTY; BINS + 1];
+        for bin in (1..bins).rev() {
+            rights[bin] = rights[bin + 1].with(&filled[bin]);
         }
         let mut left = Side::EMPTY;
-        for last in 0..bins.count - 1 {
+        for last in 0..bins - 1 {
             left = left.with(&filled[last]);
-            let right = rights[last + 1];
-            let cost = left.cost() + right.cost();
-            let is_division = left.count > 0 && right.count > 0;
-            if is_division && best.is_none_or(|best| cost < best.cost) {
-                best = Some(Division { cost, axis, last, sides: [left, right] });
+            let sides = [left, rights[last + 1]];
+            let [cost_left, cost_right] = sides.map(|side| side.bounds.half_area() * side.count as f64);
+            let (cost, divides) = (cost_left + cost_right, sides.iter().all(|side| side.count > 0));
+            if divides && best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, axis, last, sides));
             }
         }
     }

@@ -48,8 +48,8 @@ fn get<R: Real>([x, y, z]: &[Column<R>; 3], lane: usize) -> R::Vec3 {
 #[inline(always)]
 pub(crate) fn not_negative<R: Real>(column: &Column<R>) -> u32 {
     let mut bits = 0;
-    for lane in 0..LANES {
-        bits |= u32::from(column[lane] >= R::from(0.0)) << lane;
+    for (lane, &number) in column.iter().enumerate() {
+        bits |= u32::from(number >= R::from(0.0)) << lane;
     }
     bits
 }

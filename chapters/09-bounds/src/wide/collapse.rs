@@ -1,9 +1,10 @@
 //! From two children a node to eight.
 //!
-//! A node of eight could take the grandchildren of a binary one, or open its largest child again and again. Which is best
-//! depends on what is below, and can be had exactly: from the leaves up, for each binary node and each number of places
-//! from one to eight, the least cost of putting all that is in it there. In one place it is a leaf or a node of eight of its own; in
-//! several, its two children share them. (Ylitie, Karras and Laine 2017, for trees of compressed boxes.)
+//! A node of eight could take the grandchildren of a binary one, or open its largest child again and again.
+//! Which is best depends on what is below, and can be had exactly: from the leaves up, for each binary node
+//! and each number of places from one to eight, the least cost of putting all that is in it there. In one
+//! place it is a leaf or a node of eight of its own; in several, its two children share them. (Ylitie, Karras
+//! and Laine 2017, for trees of compressed boxes.)
 
 use super::node::{Child, LANES, Node};
 use crate::tree::Tree;
@@ -41,7 +42,8 @@ struct Plan {
     objects: (u32, u32),
 }
 
-/// Plans for all nodes, in their order. A child comes after its parent, so they are made from the last to the first.
+/// Plans for all nodes, in their order. A child comes after its parent, so they are made from the last to the
+/// first.
 fn plans(tree: &Tree, prices: Prices) -> Vec<Plan> {
     let none =
         Plan { cost: [0.0; LANES], taken: [1; LANES], left: [0; LANES], is_leaf: true, objects: (0, 0) };
@@ -59,11 +61,11 @@ fn plans(tree: &Tree, prices: Prices) -> Vec<Plan> {
         plan.objects = (left.objects.0, left.objects.1 + right.objects.1);
         // all of i + 1 places shared
         let mut shared = [f32::INFINITY; LANES];
-        for i in 1..LANES {
+        for (i, shared) in shared.iter_mut().enumerate().skip(1) {
             for for_left in 0..i {
                 let cost = left.cost[for_left] + right.cost[i - 1 - for_left];
-                if cost < shared[i] || plan.left[i] == 0 {
-                    (shared[i], plan.left[i]) = (cost, for_left as u8 + 1);
+                if cost < *shared || plan.left[i] == 0 {
+                    (*shared, plan.left[i]) = (cost, for_left as u8 + 1);
                 }
             }
         }
@@ -71,9 +73,9 @@ fn plans(tree: &Tree, prices: Prices) -> Vec<Plan> {
         let count = plan.objects.1;
         plan.is_leaf = count as usize <= prices.most && as_leaf(count) <= as_node;
         plan.cost[0] = if plan.is_leaf { as_leaf(count) } else { as_node };
-        for i in 1..LANES {
-            let all = shared[i] < plan.cost[i - 1];
-            plan.cost[i] = if all { shared[i] } else { plan.cost[i - 1] };
+        for (i, &shared) in shared.iter().enumerate().skip(1) {
+            let all = shared < plan.cost[i - 1];
+            plan.cost[i] = if all { shared } else { plan.cost[i - 1] };
             plan.taken[i] = if all { i as u8 + 1 } else { plan.taken[i - 1] };
         }
     }

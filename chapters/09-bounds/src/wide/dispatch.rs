@@ -1,8 +1,9 @@
 //! The same work compiled twice; with its like in chapter 04 the only place with `unsafe`.
 //!
-//! What every x86-64 processor has is compiled in, and beside it a version for those with AVX2 (and the instructions for counting
-//! bits that came with it). The processor is asked when the program runs: it remembers its answer, and to look that up takes
-//! a nanosecond a ray. Fused multiply-add is not asked for, as it rounds once where the formulas round twice.
+//! What every x86-64 processor has is compiled in, and beside it a version for those with AVX2 (and the
+//! instructions for counting bits that came with it). The processor is asked when the program runs: it
+//! remembers its answer, and to look that up takes a nanosecond a ray. Fused multiply-add is not asked for,
+//! as it rounds once where the formulas round twice.
 
 /// Which of the compiled versions to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +14,8 @@ pub enum Instructions {
     Best,
 }
 
-/// Something to be compiled for more than one kind of processor: `run` and all that it calls is inlined into either version.
+/// Something to be compiled for more than one kind of processor: `run` and all that it calls is inlined into
+/// either version.
 pub(crate) trait Work {
     type Answer;
     fn run(self) -> Self::Answer;

@@ -1,8 +1,8 @@
-//! Chapter 05's `matrix` for eight triangles: the same function, called in a loop that the compiler turns into wide instructions.
+//! Chapter 05's `matrix` for eight triangles: the same function, called in a loop that the compiler turns
+//! into wide instructions.
 //!
-//! So every lane has the bits of one triangle alone. (Of the forms of the formula the page's is not the fastest: `half-planes`' n, known before, and
-//! Möller and Trumbore's two cross products save a fifth of the operations. But the triangles are a third of the time, and
-//! the divisions most of that.)
+//! So every lane has the bits of one triangle alone. Möller and Trumbore's two cross products would save a
+//! fifth of the operations, but then t had other last digits than the method that it stands for.
 
 use math::{Ray3, Real, Span};
 use triangle::Triangle;
@@ -20,13 +20,13 @@ impl<R: Real> Lanes<R> for ByMatrix {
     fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, u32) {
         let (zero, one, none) = (R::from(0.0), R::from(1.0), R::from(-1.0));
         let mut t = [none; LANES];
-        for lane in 0..LANES {
+        for (lane, t) in t.iter_mut().enumerate() {
             let work = triangle::matrix(ray, &block.triangle(lane));
             let (alpha, beta, lambda) = (work.alpha, work.beta, work.lambda);
             // `Matrix::is_inside` and `Span::contains`, without a branch
             let is_inside = (alpha >= zero) & (beta >= zero) & (alpha + beta <= one);
             let is_hit = is_inside & (span.min <= lambda) & (lambda <= span.max);
-            t[lane] = if is_hit { lambda + zero } else { none };
+            *t = if is_hit { lambda + zero } else { none };
         }
         (t, not_negative(&t))
     }

@@ -12,7 +12,6 @@ use super::matrix::ByMatrix;
 use super::node::{Child, Column, Node};
 use super::robust::ByRobust;
 use super::search::{Leaves, Search, Stack};
-use crate::tree::build::Costs;
 use crate::{Box3, Nearest, Tally};
 
 /// A tree over triangles, eight wide, that holds their corners.
@@ -38,7 +37,7 @@ impl<R: Real> WideMesh<R> {
 
     fn build(count: usize, triangle: impl Fn(usize) -> Triangle<R>) -> WideMesh<R> {
         let boxes: Vec<Box3> = (0..count).map(|face| Box3::around::<R>(triangle(face).corners())).collect();
-        let tree = binary(&boxes, Costs::BLOCKS);
+        let tree = binary(&boxes, 4..=4);
         let mut nodes = collapse(&tree, Prices::BLOCKS);
         let mut blocks = Vec::new();
         for node in &mut nodes {
@@ -56,11 +55,12 @@ impl<R: Real> WideMesh<R> {
         WideMesh { instructions, ..self }
     }
 
-    /// The nearest face that `method` hits in `span`, and its t; at the same t the earlier face. What else there is to say of the hit,
-    /// the method says for that face.
+    /// The nearest face that `method` hits in `span`, and its t; at the same t the earlier face. What else
+    /// there is to say of the hit, the method says for that face.
     ///
-    /// With `robust`, exactly what [`Mesh::hit`] says. The other two may be wrong about a ray beside the triangle, or about t by
-    /// more than [`Reach::ULPS`](crate::Reach::ULPS) where it grazes: such a hit is then missed if its box is.
+    /// With `robust`, exactly what [`Mesh::hit`] says. The other two may be wrong about a ray beside the
+    /// triangle, or about t by more than [`Reach::ULPS`](crate::Reach::ULPS) where it grazes: such a hit is
+    /// then missed if its box is.
     #[inline]
     pub fn closest(
         &self,

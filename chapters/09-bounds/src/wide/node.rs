@@ -67,7 +67,8 @@ impl Node {
         Node { faces: [[low, high]; 3], children: [Child::EMPTY; LANES], count: 0, axis: 0 }
     }
 
-    /// A node with these children, not more than eight: in the order of their middles, along the axis where those reach farthest.
+    /// A node with these children, not more than eight: in the order of their middles, along the axis where
+    /// those reach farthest.
     pub(crate) fn of(children: &mut [(Box3, Child)]) -> Node {
         let middles = children.iter().map(|(bounds, _)| Extent::of(bounds).twice_middles());
         let [x, y, z] = middles.fold(Extent::EMPTY, |all, one| all.union(&one)).size();

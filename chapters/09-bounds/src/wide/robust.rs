@@ -1,21 +1,24 @@
 //! Eight triangles that the ray surely misses, before chapter 05's `robust` decides about the others.
 //!
-//! The determinants of `robust`'s first way with its error bounds, but in R and not in `f64`. With u = 2^−DIGITS, |x| for the
-//! sum of the magnitudes of a vector's components, e1 = p̄2 − p̄1, e2 = p̄3 − p̄1, A = p̄1 − ā and q = d × A:
+//! The determinants of `robust`'s first way with its error bounds, but in R and not in `f64`. With u =
+//! 2^−DIGITS, |x| for the sum of the magnitudes of a vector's components, e1 = p̄2 − p̄1, e2 = p̄3 − p̄1, A =
+//! p̄1 − ā and q = d × A:
 //!
 //! | number | is off by at most |
 //! | --- | --- |
 //! | d · n, v = −e2 · q, w = e1 · q and u = d · n − v − w | 9u of E = \|d\| (\|e1\| \|e2\| + \|A\| (\|e1\| + \|e2\|)) |
 //! | A · n | 7u \|A\| \|e1\| \|e2\| |
 //!
-//! (It is derived there.) Products that vanish lose half of the smallest number η each, and then take part in another product:
-//! fewer than 16 such halves times 1 + |d| + |e1| + |e2| + |A|. 16u and 16η are taken, which leaves room for the
-//! roundings of the bounds themselves. If E is finite so is every product in it, and no sum of them is NaN.
+//! (It is derived there.) Products that vanish lose half of the smallest number η each, and then take part in
+//! another product: fewer than 16 such halves times 1 + |d| + |e1| + |e2| + |A|. 16u and 16η are taken, which
+//! leaves room for the roundings of the bounds themselves. If E is finite so is every product in it, and no
+//! sum of them is NaN.
 //!
-//! A ray whose volumes have both signs for sure passes the triangle. Elsewhere λ = A · n / d · n, and it is surely beyond the
-//! span if A · n − max d · n, signs turned so that d · n is positive, is above twice all that both may be off by: also if the
-//! sign of d · n is wrong, for then λ is negative. Before the span likewise, but only with a sign that is sure. max and min are widened by η, as λ may be
-//! rounded into the span; a relative rounding is far below 16u.
+//! A ray whose volumes have both signs for sure passes the triangle. Elsewhere λ = A · n / d · n, and it is
+//! surely beyond the span if A · n − max d · n, signs turned so that d · n is positive, is above twice all
+//! that both may be off by: also if the sign of d · n is wrong, for then λ is negative. Before the span
+//! likewise, but only with a sign that is sure. max and min are widened by η, as λ may be rounded into the
+//! span; a relative rounding is far below 16u.
 
 use math::{Ray3, Real, Span, Vector};
 use triangle::Triangle;
@@ -35,7 +38,7 @@ impl<R: Real> Lanes<R> for ByRobust {
         let (min, max) = (span.min - R::SMALLEST, span.max + R::SMALLEST);
         let d_size = size::<R>(ray.direction);
         let mut left = [zero; LANES];
-        for lane in 0..LANES {
+        for (lane, left) in left.iter_mut().enumerate() {
             let Triangle { p1, p2, p3 } = block.triangle(lane);
             let (e1, e2, to_p1) = (p2 - p1, p3 - p1, p1 - ray.origin);
             let n = R::cross(e1, e2);
@@ -62,7 +65,7 @@ impl<R: Real> Lanes<R> for ByRobust {
             let is_out = is_beyond | (is_before & (rise > volume_error));
 
             let is_missed = (is_past | is_out) & (e < R::INFINITY);
-            left[lane] = select(is_missed, -one, one);
+            *left = select(is_missed, -one, one);
         }
         (left, not_negative(&left))
     }

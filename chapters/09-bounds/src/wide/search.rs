@@ -24,7 +24,8 @@ pub(crate) enum Stack {
 
 /// Enough for a million triangles; and set to zero for every ray in no time.
 const FEW: usize = 64;
-/// Enough for any tree: seven of eight wait on each of [`MAX_DEPTH`](crate::tree::build::MAX_DEPTH) levels, and the eighth.
+/// Enough for any tree: seven of eight wait on each of [`MAX_DEPTH`](crate::tree::build::MAX_DEPTH) levels,
+/// and the eighth.
 const MANY: usize = (LANES - 1) * crate::tree::build::MAX_DEPTH + 1;
 
 impl Stack {
@@ -56,8 +57,8 @@ impl<R: Real, C: Tally, L: Leaves<R, C>, const ANY: bool> Work for Search<'_, R,
     }
 }
 
-/// A child that waits: its t above, itself below, so that these numbers are in the order of t. (The bits of floating-point numbers
-/// that are not negative are in their order.)
+/// A child that waits: its t above, itself below, so that these numbers are in the order of t. (The bits of
+/// floating-point numbers that are not negative are in their order.)
 type Waiting = u64;
 
 #[inline(always)]
