@@ -1,6 +1,6 @@
 //! obvhs, as its documentation says that it is fastest: triangles made for tracing, in the order of the tree.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use glam::Vec3A;
 use math::Ray3;
@@ -11,8 +11,11 @@ use obvhs::ray::{Ray, RayHit};
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
 
+/// A preset's name, and what makes it.
+type Preset = (&'static str, fn() -> BvhBuildParams);
+
 /// Its presets.
-pub(crate) const PRESETS: [(&str, fn() -> BvhBuildParams); 6] = [
+pub(crate) const PRESETS: [Preset; 6] = [
     ("fastest_build", BvhBuildParams::fastest_build),
     ("very_fast_build", BvhBuildParams::very_fast_build),
     ("fast_build", BvhBuildParams::fast_build),
@@ -33,13 +36,21 @@ pub(crate) fn triangles(corners: &[[[f64; 3]; 3]]) -> Vec<Triangle> {
 }
 
 impl Peer {
-    /// The tree, and how long it took: its boxes and the triangles made for tracing included, as in ours.
-    pub(crate) fn build(triangles: &[Triangle], preset: BvhBuildParams) -> (Peer, Duration) {
-        let start = Instant::now();
+    /// The tree, and the triangles made for tracing, as ours has them too.
+    pub(crate) fn build(triangles: &[Triangle], preset: BvhBuildParams) -> Peer {
         let tree = build_bvh2_from_tris(triangles, preset, &mut Duration::default());
         let order = tree.primitive_indices.iter();
         let triangles = order.map(|&place| RtTriangle::from(&triangles[place as usize])).collect();
-        (Peer { tree, triangles }, start.elapsed())
+        Peer { tree, triangles }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.triangles.is_empty()
+    }
+
+    /// How many rays hit.
+    pub(crate) fn hits(&self, rays: &[Ray3<f32>]) -> usize {
+        rays.iter().filter(|ray| self.closest(ray).is_some()).count()
     }
 
     /// The face and t of the nearest hit.

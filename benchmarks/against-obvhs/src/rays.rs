@@ -31,7 +31,8 @@ pub(crate) fn primary(camera: &Camera, size: usize) -> Vec<Line> {
     (0..size).flat_map(|row| (0..size).map(move |column| pixel(row, column))).collect()
 }
 
-/// One ray off every hit, more likely the steeper it leaves the surface. `hits` has the point and the normal that faces the eye.
+/// One ray off every hit, more likely the steeper it leaves the surface. `hits` has the point and the normal
+/// that faces the eye.
 pub(crate) fn bounces(hits: &[([f64; 3], [f64; 3])], size: f64) -> Vec<Line> {
     let mut random = Random::new(2);
     let bounce = |&(point, normal): &([f64; 3], [f64; 3])| {

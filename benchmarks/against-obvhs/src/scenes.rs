@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use math::Real;
+use triangle::Triangle;
 
 /// Spheres, and the camera that looks at them.
 pub(crate) struct Balls {
@@ -27,6 +28,15 @@ pub(crate) struct Triangles {
     pub(crate) name: &'static str,
     pub(crate) corners: Vec<[[f64; 3]; 3]>,
     pub(crate) camera: Camera,
+}
+
+impl Triangles {
+    /// In a precision.
+    pub(crate) fn rounded<R: Real>(&self) -> Vec<Triangle<R>> {
+        let triangle =
+            |&[a, b, c]: &[[f64; 3]; 3]| Triangle { a: vector::<R>(a), b: vector::<R>(b), c: vector::<R>(c) };
+        self.corners.iter().map(triangle).collect()
+    }
 }
 
 /// The spheres and the view of a packed NFF file, and nothing else of it.
@@ -111,9 +121,9 @@ fn facing(corners: &[[[f64; 3]; 3]]) -> Camera {
 pub(crate) fn extent(corners: &[[[f64; 3]; 3]]) -> ([f64; 3], [f64; 3]) {
     let mut extent = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for corner in corners.iter().flatten() {
-        for axis in 0..3 {
-            extent.0[axis] = extent.0[axis].min(corner[axis]);
-            extent.1[axis] = extent.1[axis].max(corner[axis]);
+        for (axis, &x) in corner.iter().enumerate() {
+            extent.0[axis] = extent.0[axis].min(x);
+            extent.1[axis] = extent.1[axis].max(x);
         }
     }
     extent

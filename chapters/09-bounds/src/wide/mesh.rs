@@ -50,6 +50,11 @@ impl<R: Real> WideMesh<R> {
         WideMesh { stack: Stack::of(&nodes), nodes, blocks, instructions: Instructions::Best }
     }
 
+    /// There is no triangle.
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
     /// The same tree, searched with these instructions. The answers are the same.
     pub fn with(self, instructions: Instructions) -> WideMesh<R> {
         WideMesh { instructions, ..self }
