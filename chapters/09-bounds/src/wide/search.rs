@@ -69,54 +69,54 @@ fn waiting(near: f32, child: Child) -> Waiting {
 impl<R: Real, C: Tally, L: Leaves<R, C>, const ANY: bool> Search<'_, R, C, L, ANY> {
     #[inline(always)]
     fn search<const STACK: usize>(mut self) -> Option<(usize, R)> {
-        let mut nearest = Nearest::new(self.span);
-        if self.nodes.is_empty() {
-            return None;
-        }
         let slabs = Slabs::new(self.ray);
+        let mut nearest = Nearest::new(self.span);
+        let mut node = self.nodes.first()?;
+        self.counts.boxes(node.count as usize);
+        let (mut near, mut entered) = node.enter(&slabs, nearest.reach);
+        if entered == 0 {
+            return None; // before there is a stack, which takes time
+        }
         let mut stack: [Waiting; STACK] = [0; STACK];
         let mut top = 0;
-        let mut at = Child::node(0);
         loop {
-            if at.is_leaf() {
-                self.leaves.visit(at, &mut nearest, self.counts);
-                if ANY && nearest.index.is_some() {
-                    return nearest.hit();
+            // the farther ones first, by the order of the lanes: most are then in their place
+            let is_backward = slabs.first[node.axis as usize % 3] == 1;
+            let below = top;
+            while entered != 0 {
+                let (lowest, highest) = (entered.trailing_zeros(), 31 - entered.leading_zeros());
+                let lane = if is_backward { lowest } else { highest } as usize % LANES;
+                entered &= !(1 << lane);
+                let one = waiting(near[lane], node.children[lane]);
+                let mut place = top;
+                // by t, the nearest on top; not worth it where any hit will do
+                while !ANY && place > below && stack[place - 1] < one {
+                    stack[place] = stack[place - 1];
+                    place -= 1;
                 }
-            } else {
-                let node = &self.nodes[at.0 as usize];
-                self.counts.boxes(node.count as usize);
-                let (near, mut entered) = node.enter(&slabs, nearest.reach);
-                // the farther ones first, by the order of the lanes: most are then in their place
-                let is_backward = slabs.first[node.axis as usize % 3] == 1;
-                let below = top;
-                while entered != 0 {
-                    let (lowest, highest) = (entered.trailing_zeros(), 31 - entered.leading_zeros());
-                    let lane = if is_backward { lowest } else { highest } as usize % LANES;
-                    entered &= !(1 << lane);
-                    let one = waiting(near[lane], node.children[lane]);
-                    let mut place = top;
-                    // by t, the nearest on top; not worth it where any hit will do
-                    while !ANY && place > below && stack[place - 1] < one {
-                        stack[place] = stack[place - 1];
-                        place -= 1;
-                    }
-                    stack[place] = one;
-                    top += 1;
-                }
+                stack[place] = one;
+                top += 1;
             }
-            // the next one, if the ray does not hit before it
-            loop {
+            // leaves on top are looked into, up to a node
+            node = loop {
                 if top == 0 {
                     return nearest.hit();
                 }
                 top -= 1;
-                let one = stack[top];
-                if f32::from_bits((one >> 32) as u32) <= nearest.reach.max {
-                    at = Child(one as u32);
-                    break;
+                let (t, child) = (f32::from_bits((stack[top] >> 32) as u32), Child(stack[top] as u32));
+                if t > nearest.reach.max {
+                    continue; // the ray hits before it
                 }
-            }
+                if !child.is_leaf() {
+                    break &self.nodes[child.0 as usize];
+                }
+                self.leaves.visit(child, &mut nearest, self.counts);
+                if ANY && nearest.index.is_some() {
+                    return nearest.hit();
+                }
+            };
+            self.counts.boxes(node.count as usize);
+            (near, entered) = node.enter(&slabs, nearest.reach);
         }
     }
 }
