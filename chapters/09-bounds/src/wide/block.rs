@@ -44,12 +44,47 @@ fn get<R: Real>([x, y, z]: &[Column<R>; 3], lane: usize) -> R::Vec3 {
     R::vec3(x[lane], y[lane], z[lane])
 }
 
-/// A bit for every lane whose number is not negative.
-#[inline(always)]
-pub(crate) fn not_negative<R: Real>(column: &Column<R>) -> u32 {
-    let mut bits = 0;
-    for (lane, &number) in column.iter().enumerate() {
-        bits |= u32::from(number >= R::from(0.0)) << lane;
+/// Some of eight lanes: two bits for each.
+///
+/// One would do. But a 1 that is chosen or not is a truth value, made a number and shifted to its place, and
+/// the compiler, which knows that the first one need not be shifted, then goes lane by lane. A 3 is chosen by
+/// an instruction that does it for all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct LaneSet(u32);
+
+impl LaneSet {
+    /// Those whose number is not negative.
+    #[inline(always)]
+    pub(crate) fn not_negative<R: Real>(column: &Column<R>) -> LaneSet {
+        let mut bits = 0;
+        for (lane, &number) in column.iter().enumerate() {
+            bits |= if number >= R::from(0.0) { 3 << (2 * lane) } else { 0 };
+        }
+        LaneSet(bits)
     }
-    bits
+
+    /// The first so many lanes.
+    #[inline(always)]
+    pub(crate) fn first(count: usize) -> LaneSet {
+        LaneSet((1 << (2 * count)) - 1)
+    }
+
+    #[inline(always)]
+    pub(crate) fn and(self, other: LaneSet) -> LaneSet {
+        LaneSet(self.0 & other.0)
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Takes the lowest lane out, or the highest. The set must not be empty.
+    #[inline(always)]
+    pub(crate) fn take(&mut self, lowest: bool) -> usize {
+        let (low, high) = (self.0.trailing_zeros() / 2, (31 - self.0.leading_zeros()) / 2);
+        let lane = if lowest { low } else { high };
+        self.0 &= !(3 << (2 * lane));
+        lane as usize % LANES
+    }
 }

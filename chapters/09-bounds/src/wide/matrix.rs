@@ -8,7 +8,7 @@ use math::{Ray3, Real, Span};
 use triangle::Triangle;
 use triangle::parallel::try_parallel;
 
-use super::block::{Block, not_negative};
+use super::block::{Block, LaneSet};
 use super::mesh::Lanes;
 use super::node::{Column, LANES};
 
@@ -17,7 +17,7 @@ pub(crate) struct ByMatrix;
 
 impl<R: Real> Lanes<R> for ByMatrix {
     #[inline(always)]
-    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, u32) {
+    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, LaneSet) {
         let (zero, one, none) = (R::from(0.0), R::from(1.0), R::from(-1.0));
         let mut t = [none; LANES];
         for (lane, t) in t.iter_mut().enumerate() {
@@ -28,7 +28,7 @@ impl<R: Real> Lanes<R> for ByMatrix {
             let is_hit = is_inside & (span.min <= lambda) & (lambda <= span.max);
             *t = if is_hit { lambda + zero } else { none };
         }
-        (t, not_negative(&t))
+        (t, LaneSet::not_negative(&t))
     }
 
     /// What is left to ask is whether there was one λ.

@@ -5,7 +5,7 @@ use triangle::mesh::Mesh;
 use triangle::{Method, Triangle};
 
 use super::binary;
-use super::block::Block;
+use super::block::{Block, LaneSet};
 use super::collapse::{Prices, collapse};
 use super::dispatch::{self, Instructions};
 use super::matrix::ByMatrix;
@@ -114,8 +114,8 @@ impl<R: Real> WideMesh<R> {
 
 /// A method for eight triangles.
 pub(crate) trait Lanes<R: Real> {
-    /// Which of them may be hit, a bit a lane, and a number for each.
-    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, u32);
+    /// Which of them may be hit, and a number for each.
+    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, LaneSet);
     /// The t of a candidate, with the number that came with it.
     fn hit(&self, ray: &Ray3<R>, triangle: &Triangle<R>, span: Span<R>, number: R) -> Option<R>;
 }
@@ -124,8 +124,8 @@ pub(crate) trait Lanes<R: Real> {
 struct ByHalfPlanes;
 
 impl<R: Real> Lanes<R> for ByHalfPlanes {
-    fn candidates(&self, _block: &Block<R>, _ray: &Ray3<R>, _span: Span<R>) -> (Column<R>, u32) {
-        ([R::from(0.0); super::node::LANES], u32::MAX)
+    fn candidates(&self, _block: &Block<R>, _ray: &Ray3<R>, _span: Span<R>) -> (Column<R>, LaneSet) {
+        ([R::from(0.0); super::node::LANES], LaneSet::first(super::node::LANES))
     }
 
     fn hit(&self, ray: &Ray3<R>, triangle: &Triangle<R>, span: Span<R>, _number: R) -> Option<R> {
@@ -146,10 +146,9 @@ impl<R: Real, C: Tally, L: Lanes<R>> Leaves<R, C> for Blocks<'_, R, L> {
         let block = &self.blocks[leaf.first()];
         counts.tests(leaf.len());
         let (numbers, candidates) = self.lanes.candidates(block, self.ray, nearest.span);
-        let mut candidates = candidates & ((1 << leaf.len()) - 1);
-        while candidates != 0 {
-            let lane = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
+        let mut candidates = candidates.and(LaneSet::first(leaf.len()));
+        while !candidates.is_empty() {
+            let lane = candidates.take(true);
             let t = self.lanes.hit(self.ray, &block.triangle(lane), nearest.span, numbers[lane]);
             if let Some(t) = t.filter(|&t| nearest.span.contains(t)) {
                 counts.hit();

@@ -1,6 +1,6 @@
 //! Eight boxes side by side, as columns.
 
-use super::block::not_negative;
+use super::block::LaneSet;
 use crate::extent::Extent;
 use crate::slab::{larger, smaller};
 use crate::{Box3, Reach, Slabs};
@@ -86,9 +86,9 @@ impl Node {
         node
     }
 
-    /// [`Slabs::enter`] for every lane: t, and a bit for each box that the ray enters.
+    /// [`Slabs::enter`] for every lane: t, and which boxes the ray enters.
     #[inline(always)]
-    pub(crate) fn enter(&self, slabs: &Slabs, reach: Reach) -> (Column<f32>, u32) {
+    pub(crate) fn enter(&self, slabs: &Slabs, reach: Reach) -> (Column<f32>, LaneSet) {
         let [x, y, z] = &self.faces;
         let [i, j, k] = slabs.first;
         let (first_x, first_y, first_z) = (&x[i & 1], &y[j & 1], &z[k & 1]);
@@ -104,6 +104,6 @@ impl Node {
             let end = smaller(leave_z.t(last_z[lane]), end);
             near[lane] = if t <= end { t } else { -1.0 };
         }
-        (near, not_negative(&near))
+        (near, LaneSet::not_negative(&near))
     }
 }

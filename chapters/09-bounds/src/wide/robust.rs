@@ -23,7 +23,7 @@
 use math::{Ray3, Real, Span, Vector};
 use triangle::Triangle;
 
-use super::block::{Block, not_negative};
+use super::block::{Block, LaneSet};
 use super::mesh::Lanes;
 use super::node::{Column, LANES};
 
@@ -32,7 +32,7 @@ pub(crate) struct ByRobust;
 
 impl<R: Real> Lanes<R> for ByRobust {
     #[inline(always)]
-    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, u32) {
+    fn candidates(&self, block: &Block<R>, ray: &Ray3<R>, span: Span<R>) -> (Column<R>, LaneSet) {
         let [zero, one, two, sixteen] = [R::from(0.0), R::from(1.0), R::from(2.0), R::from(16.0)];
         let unit = R::from(1.0 / (1u64 << R::DIGITS) as f32);
         let (min, max) = (span.min - R::SMALLEST, span.max + R::SMALLEST);
@@ -67,7 +67,7 @@ impl<R: Real> Lanes<R> for ByRobust {
             let is_missed = (is_past | is_out) & (e < R::INFINITY);
             *left = select(is_missed, -one, one);
         }
-        (left, not_negative(&left))
+        (left, LaneSet::not_negative(&left))
     }
 
     #[inline(always)]

@@ -74,7 +74,7 @@ impl<R: Real, C: Tally, L: Leaves<R, C>, const ANY: bool> Search<'_, R, C, L, AN
         let mut node = self.nodes.first()?;
         self.counts.boxes(node.count as usize);
         let (mut near, mut entered) = node.enter(&slabs, nearest.reach);
-        if entered == 0 {
+        if entered.is_empty() {
             return None; // before there is a stack, which takes time
         }
         let mut stack: [Waiting; STACK] = [0; STACK];
@@ -83,10 +83,8 @@ impl<R: Real, C: Tally, L: Leaves<R, C>, const ANY: bool> Search<'_, R, C, L, AN
             // the farther ones first, by the order of the lanes: most are then in their place
             let is_backward = slabs.first[node.axis as usize % 3] == 1;
             let below = top;
-            while entered != 0 {
-                let (lowest, highest) = (entered.trailing_zeros(), 31 - entered.leading_zeros());
-                let lane = if is_backward { lowest } else { highest } as usize % LANES;
-                entered &= !(1 << lane);
+            while !entered.is_empty() {
+                let lane = entered.take(is_backward);
                 let one = waiting(near[lane], node.children[lane]);
                 let mut place = top;
                 // by t, the nearest on top; not worth it where any hit will do
