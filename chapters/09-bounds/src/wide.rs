@@ -1,6 +1,6 @@
 //! The fast corner: a tree eight wide. No other chapter needs to understand it.
 //!
-//! [`Tree`](crate::Tree) asks of two boxes at a time. An AVX register holds eight numbers of `f32`, so eight
+//! [`Tree`] asks of two boxes at a time. An AVX register holds eight numbers of `f32`, so eight
 //! boxes cost little more than one, if they stand side by side in memory. That changes everything a little:
 //!
 //! 1. **Nodes of eight** (`node.rs`), with a column for each face. They are collapsed from a binary tree
