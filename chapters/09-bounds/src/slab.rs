@@ -70,8 +70,8 @@ impl Slabs {
         let (o, d) = (R::xyz(ray.origin), R::xyz(ray.direction));
         let mut slabs = Slabs { first: [0; 3], enter: [Passage::NONE; 3], leave: [Passage::NONE; 3] };
         for axis in 0..3 {
-            let (o, d): (f64, f64) = (o[axis].into(), d[axis].into());
-            let inverse = (1.0 / d) as f32;
+            let (o, inverse): (f64, f64) = (o[axis].into(), (R::from(1.0) / d[axis]).into());
+            let inverse = inverse as f32;
             let is_backward = inverse.is_sign_negative();
             let (low, high) = (rounded_down(o), rounded_up(o));
             let (enter, leave) = if is_backward { (low, high) } else { (high, low) };

@@ -32,7 +32,7 @@ use math::{Ray3, Real, Span};
 use crate::tree::build;
 use crate::{Box3, Nearest, Tally, Tree};
 use collapse::{Prices, collapse};
-use dispatch::Work;
+use dispatch::{Version, Work};
 use node::{Child, Node};
 use search::{Leaves, Search, Stack};
 
@@ -45,7 +45,7 @@ pub struct Wide {
     nodes: Vec<Node>,
     order: Vec<u32>,
     stack: Stack,
-    instructions: Instructions,
+    version: Version,
 }
 
 impl Wide {
@@ -53,12 +53,12 @@ impl Wide {
     pub fn build(boxes: &[Box3]) -> Wide {
         let tree = binary(boxes, 1..=2);
         let nodes = collapse(&tree, Prices::ONE_BY_ONE);
-        Wide { stack: Stack::of(&nodes), nodes, order: tree.order, instructions: Instructions::Best }
+        Wide { stack: Stack::of(&nodes), nodes, order: tree.order, version: Version::of(Instructions::Best) }
     }
 
     /// The same tree, searched with these instructions. The answers are the same.
     pub fn with(self, instructions: Instructions) -> Wide {
-        Wide { instructions, ..self }
+        Wide { version: Version::of(instructions), ..self }
     }
 
     /// The object with the smallest t in `span`, and that t: see [`Tree::closest`].
@@ -96,7 +96,7 @@ impl Wide {
     ) -> Option<(usize, R)> {
         let leaves = OneByOne { order: &self.order, test };
         let (nodes, stack) = (&self.nodes, self.stack);
-        dispatch::run(self.instructions, Search::<R, _, _, ANY> { nodes, stack, ray, span, counts, leaves })
+        self.version.run(Search::<R, _, _, ANY> { nodes, stack, ray, span, counts, leaves })
     }
 }
 
@@ -111,7 +111,7 @@ fn binary(boxes: &[Box3], leaves: RangeInclusive<usize>) -> Tree {
         }
     }
     assert!(boxes.len() < Child::MOST, "{} boxes are too many", boxes.len());
-    dispatch::run(Instructions::Best, Build(boxes, leaves))
+    Version::of(Instructions::Best).run(Build(boxes, leaves))
 }
 
 /// Leaves whose objects only the caller knows.

@@ -7,7 +7,7 @@ use triangle::{Method, Triangle};
 use super::binary;
 use super::block::{Block, LaneSet};
 use super::collapse::{Prices, collapse};
-use super::dispatch::{self, Instructions};
+use super::dispatch::{Instructions, Version};
 use super::matrix::ByMatrix;
 use super::node::{Child, Column, Node};
 use super::robust::ByRobust;
@@ -21,7 +21,7 @@ pub struct WideMesh<R> {
     /// One a leaf.
     blocks: Vec<Block<R>>,
     stack: Stack,
-    instructions: Instructions,
+    version: Version,
 }
 
 impl<R: Real> WideMesh<R> {
@@ -47,7 +47,7 @@ impl<R: Real> WideMesh<R> {
                 blocks.push(Block::of(faces, &triangle));
             }
         }
-        WideMesh { stack: Stack::of(&nodes), nodes, blocks, instructions: Instructions::Best }
+        WideMesh { stack: Stack::of(&nodes), nodes, blocks, version: Version::of(Instructions::Best) }
     }
 
     /// There is no triangle.
@@ -57,7 +57,7 @@ impl<R: Real> WideMesh<R> {
 
     /// The same tree, searched with these instructions. The answers are the same.
     pub fn with(self, instructions: Instructions) -> WideMesh<R> {
-        WideMesh { instructions, ..self }
+        WideMesh { version: Version::of(instructions), ..self }
     }
 
     /// The nearest face that `method` hits in `span`, and its t; at the same t the earlier face. What else
@@ -108,7 +108,7 @@ impl<R: Real> WideMesh<R> {
     ) -> Option<(usize, R)> {
         let leaves = Blocks { blocks: &self.blocks, ray, lanes };
         let (nodes, stack) = (&self.nodes, self.stack);
-        dispatch::run(self.instructions, Search::<R, _, _, ANY> { nodes, stack, ray, span, counts, leaves })
+        self.version.run(Search::<R, _, _, ANY> { nodes, stack, ray, span, counts, leaves })
     }
 }
 
