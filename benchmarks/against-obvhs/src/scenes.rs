@@ -33,8 +33,11 @@ pub(crate) struct Triangles {
 impl Triangles {
     /// In a precision.
     pub(crate) fn rounded<R: Real>(&self) -> Vec<Triangle<R>> {
-        let triangle =
-            |&[a, b, c]: &[[f64; 3]; 3]| Triangle { a: vector::<R>(a), b: vector::<R>(b), c: vector::<R>(c) };
+        let triangle = |&[a, b, c]: &[[f64; 3]; 3]| Triangle {
+            p1: vector::<R>(a),
+            p2: vector::<R>(b),
+            p3: vector::<R>(c),
+        };
         self.corners.iter().map(triangle).collect()
     }
 }

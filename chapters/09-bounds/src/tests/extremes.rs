@@ -102,7 +102,7 @@ fn scaled<R: Real>(powers: &[i32], lengths: &[i32]) {
         let spheres: Vec<Sphere<R>> = (0..60).map(sphere).collect();
         let triangle = |_| {
             let a = numbers.vector::<R>(3.0 * size);
-            Triangle { a, b: a + numbers.vector::<R>(size), c: a + numbers.vector::<R>(size) }
+            Triangle { p1: a, p2: a + numbers.vector::<R>(size), p3: a + numbers.vector::<R>(size) }
         };
         let triangles: Vec<Triangle<R>> = (0..60).map(triangle).collect();
         for &length in lengths {

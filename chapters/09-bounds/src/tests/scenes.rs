@@ -40,11 +40,12 @@ fn drawn<R: Real>(numbers: &mut Numbers, count: usize) -> Vec<Triangle<R>> {
     for _ in 0..count {
         let size = 2.0_f64.powi(1 - numbers.below(5) as i32);
         let a = numbers.vector::<R>(3.0);
-        let mut triangle = Triangle { a, b: a + numbers.vector::<R>(size), c: a + numbers.vector::<R>(size) };
+        let mut triangle =
+            Triangle { p1: a, p2: a + numbers.vector::<R>(size), p3: a + numbers.vector::<R>(size) };
         match (numbers.below(8), triangles.last()) {
             (0, Some(&last)) => triangle = last,
-            (1, Some(last)) => (triangle.a, triangle.b) = (last.b, last.c),
-            (2, _) => triangle.c = triangle.b,
+            (1, Some(last)) => (triangle.p1, triangle.p2) = (last.p2, last.p3),
+            (2, _) => triangle.p3 = triangle.p2,
             _ => {}
         }
         triangles.push(triangle);
@@ -59,7 +60,7 @@ fn triangles<R: Real>(seed: u64) {
         let mut rays = rays(&mut numbers, 400);
         // and at corners and edges
         for _ in 0..400 {
-            let Triangle { a, b, .. } = triangles[numbers.below(count as u64) as usize];
+            let Triangle { p1: a, p2: b, .. } = triangles[numbers.below(count as u64) as usize];
             let origin = numbers.vector::<R>(4.0);
             let share = R::round_from(numbers.unit());
             let target = if numbers.below(2) == 0 { a } else { a + (b - a) * share };
