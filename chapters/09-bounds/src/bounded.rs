@@ -5,7 +5,7 @@ use ray_sphere::{Sphere, robust};
 use signature::{First, Scene};
 
 use crate::projected::{Rectangle, rectangle};
-use crate::{Box3, Method, Nearest, Parts, Slabs, Tally, Tree, Wide, sphere_around};
+use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
 #[derive(Debug)]
@@ -98,8 +98,8 @@ impl<'a, R: Real> Bounded<'a, R> {
         self.nearest(&self.scene.ray(pixel), Span::ahead(), Some(pixel), counts)
     }
 
-    /// What any ray hits first in `span`: the same as [`fn@signature::first_hit`] by the robust methods. The ray must be a
-    /// ray. Extents help rays of the eye only.
+    /// What any ray hits first in `span`, which must not begin below 0: the same as [`fn@signature::first_hit`] by the
+    /// robust methods. The ray must be a ray. Extents help rays of the eye only.
     #[inline]
     pub fn first_hit(&self, ray: &Ray3<R>, span: Span<R>, counts: &mut impl Tally) -> Option<First<R>> {
         self.nearest(ray, span, None, counts)
@@ -119,15 +119,12 @@ impl<'a, R: Real> Bounded<'a, R> {
             }
             Bounds::Spheres(spheres) => {
                 self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                let reach = Reach::of(span);
                 for (object, sphere) in spheres {
                     // "only test intersections with objects if there exists a positive intersection with the bounding
                     // volume"
                     counts.boxes(1);
-                    let passes = |sphere: &Sphere<R>| {
-                        let roots = robust(ray, sphere).roots();
-                        roots.and_then(|roots| roots.first_within(span)).is_none()
-                    };
-                    if !sphere.as_ref().is_some_and(passes) {
+                    if !sphere.as_ref().is_some_and(|sphere| passes(ray, sphere, reach)) {
                         self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
                     }
                 }
@@ -188,5 +185,42 @@ impl<'a, R: Real> Bounded<'a, R> {
                 nearest.put(part, t);
             }
         }
+    }
+}
+
+/// Whether a ray is nowhere in a sphere within `reach`.
+///
+/// The page asks for a positive intersection with the sphere itself. Where a ray ends too, as one to a light does, all
+/// of it may be inside, and meet the sphere on neither side: so it is the stretch between the two that is asked for.
+fn passes<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, reach: Reach) -> bool {
+    let rounded = |t: R| Into::<f64>::into(t) as f32;
+    let roots = robust(ray, sphere).roots();
+    roots.is_none_or(|roots| rounded(roots.near) > reach.max || rounded(roots.far) < reach.min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// By hand: from the middle of a sphere of radius 2 the ray leaves it at λ = 2; a light at λ = 1 is before that.
+    #[test]
+    fn as_printed_a_ray_within_the_volume_is_not_tested() {
+        let volume = Sphere { center: DVec3::ZERO, radius: 2.0 };
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::X);
+        let to_the_light = Span::new(0.0, 1.0);
+        assert_eq!(robust(&ray, &volume).roots().unwrap().first_within(to_the_light), None, "as printed");
+        assert!(!passes(&ray, &volume, Reach::of(to_the_light)));
+        // a ray ahead of the sphere, behind it and beside it does pass
+        for (origin, span) in
+            [(-9.0, Span::new(0.0, 6.9)), (-9.0, Span::new(11.1, 20.0)), (3.0, Span::ahead())]
+        {
+            assert!(passes(&Ray3::<f64>::new(DVec3::X * origin, DVec3::X), &volume, Reach::of(span)));
+        }
+        assert!(passes(
+            &Ray3::<f64>::new(DVec3::Y * 2.1, DVec3::X),
+            &volume,
+            Reach::of(Span::<f64>::ahead())
+        ));
     }
 }
