@@ -4,7 +4,7 @@ use math::{Ray3, Real, Span};
 use ray_sphere::{Sphere, robust};
 use signature::{First, Scene};
 
-use crate::projected::{Rectangle, rectangle};
+use crate::projected::{Extents, rectangle};
 use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
@@ -27,8 +27,8 @@ enum Bounds<R: Real> {
     Spheres(Vec<(usize, Option<Sphere<R>>)>),
     /// A box around each object.
     Boxes(Vec<(usize, Box3)>),
-    /// For each row of the picture the objects that may be seen in it, with their columns.
-    Extents(Vec<Vec<(usize, Rectangle)>>),
+    /// For each row of the picture the objects that may be seen in it.
+    Extents(Extents),
     /// Boxes in boxes, around each part.
     Tree { tree: Tree, parts: Vec<usize> },
     /// The same, eight at a time.
@@ -66,14 +66,8 @@ impl<'a, R: Real> Bounded<'a, R> {
             }
             Method::Box => Bounds::Boxes(boxed),
             Method::Extents => {
-                let mut rows = vec![Vec::new(); scene.size.1 as usize];
-                for (object, bounds) in boxed {
-                    let Some(seen) = rectangle(scene, &bounds) else { continue };
-                    for row in seen.rows.clone() {
-                        rows[row as usize].push((object, seen.clone()));
-                    }
-                }
-                Bounds::Extents(rows)
+                let seen = |(object, bounds)| Some((object, rectangle(scene, &bounds)?));
+                Bounds::Extents(Extents::new(scene.size.1, boxed.into_iter().filter_map(seen)))
             }
             Method::Tree => {
                 let (parts, boxes) = part_boxes();
@@ -139,20 +133,18 @@ impl<'a, R: Real> Bounded<'a, R> {
                     }
                 }
             }
-            Bounds::Extents(rows) => {
-                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
-                match pixel {
-                    Some((col, row)) => {
-                        for (object, seen) in &rows[row as usize] {
-                            counts.boxes(1);
-                            if seen.cols.contains(&col) {
-                                self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
-                            }
+            Bounds::Extents(extents) => match pixel {
+                Some((col, row)) => {
+                    self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                    for (object, seen) in extents.in_row(row) {
+                        counts.boxes(1);
+                        if seen.cols.contains(&col) && seen.rows.contains(&row) {
+                            self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
                         }
                     }
-                    None => self.try_all(0..self.parts.count(), ray, &mut nearest, counts),
                 }
-            }
+                None => self.try_all(0..self.parts.count(), ray, &mut nearest, counts),
+            },
             Bounds::Tree { tree, parts } => {
                 self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
                 let hit =

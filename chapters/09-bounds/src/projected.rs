@@ -21,9 +21,46 @@ pub struct Rectangle {
     pub rows: RangeInclusive<u32>,
 }
 
+/// The rectangles of objects, by rows of the picture.
+#[derive(Debug)]
+pub struct Extents {
+    /// Those over all rows.
+    tall: Vec<(usize, Rectangle)>,
+    /// The others, for each so many rows: those that are in one of them.
+    bands: Vec<Vec<(usize, Rectangle)>>,
+    rows_each: u32,
+}
+
+impl Extents {
+    /// The most bands: a picture may have 2^28 rows, and an object be in most of them.
+    const MOST: u32 = 1024;
+
+    /// Objects with their rectangles in a picture of so many rows.
+    pub fn new(height: u32, objects: impl IntoIterator<Item = (usize, Rectangle)>) -> Extents {
+        let rows_each = height.div_ceil(Extents::MOST).max(1);
+        let (mut tall, mut bands) = (Vec::new(), vec![Vec::new(); height.div_ceil(rows_each) as usize]);
+        for (object, seen) in objects {
+            let (first, last) = (*seen.rows.start(), *seen.rows.end());
+            if first == 0 && last == height - 1 {
+                tall.push((object, seen));
+            } else {
+                for band in first / rows_each..=last / rows_each {
+                    bands[band as usize].push((object, seen.clone()));
+                }
+            }
+        }
+        Extents { tall, bands, rows_each }
+    }
+
+    /// All objects that may be seen in a row, and where there are many rows, some that are in one next to it.
+    pub fn in_row(&self, row: u32) -> impl Iterator<Item = &(usize, Rectangle)> {
+        self.tall.iter().chain(&self.bands[(row / self.rows_each) as usize])
+    }
+}
+
 /// The rectangle of a box; `None` where it lies outside the picture, or behind the eye.
 ///
-/// All of the picture where a corner is level with the eye or behind it: such a corner has no place in the picture.
+/// All of the picture where some corners are level with the eye or behind it: such a corner has no place in the picture.
 pub fn rectangle<R: Real>(scene: &Scene<R>, bounds: &Box3) -> Option<Rectangle> {
     let (width, height) = scene.size;
     let all = Rectangle { cols: 0..=width - 1, rows: 0..=height - 1 };
@@ -33,14 +70,19 @@ pub fn rectangle<R: Real>(scene: &Scene<R>, bounds: &Box3) -> Option<Rectangle> 
             f64::from(if corner >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] })
         })
     });
+    if !view.has_depth {
+        return Some(all);
+    }
     let [mut least, mut most] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
     let (mut before, mut behind) = (0, 0);
+    let (mut farthest, mut nearest) = (0.0_f64, f64::INFINITY);
     for corner in corners {
         match view.place(corner) {
             Place::Behind => behind += 1,
             Place::Level => return Some(all),
-            Place::At(place) => {
+            Place::At { place, size, z } => {
                 before += 1;
+                (farthest, nearest) = (farthest.max(size), nearest.min(z));
                 for axis in 0..2 {
                     least[axis] = least[axis].min(place[axis]);
                     most[axis] = most[axis].max(place[axis]);
@@ -51,8 +93,9 @@ pub fn rectangle<R: Real>(scene: &Scene<R>, bounds: &Box3) -> Option<Rectangle> 
     if behind > 0 {
         return if before > 0 { Some(all) } else { None };
     }
-    let cols = pixels([least[0], most[0]], view.off[0], width)?;
-    let rows = pixels([least[1], most[1]], view.off[1], height)?;
+    let off = view.off(farthest / nearest);
+    let cols = pixels([least[0], most[0]], off[0], width)?;
+    let rows = pixels([least[1], most[1]], off[1], height)?;
     Some(Rectangle { cols, rows })
 }
 
@@ -72,8 +115,8 @@ enum Place {
     Behind,
     /// So near to it that rounding decides.
     Level,
-    /// In the picture's plane: column and row, not rounded.
-    At([f64; 2]),
+    /// In the picture's plane: column and row, not rounded; and how large its distance is on any axis, and along w.
+    At { place: [f64; 2], size: f64, z: f64 },
 }
 
 /// The camera in `f64`, which holds the numbers of either precision.
@@ -85,8 +128,12 @@ struct View {
     /// The place of column 0 and row 0, and how far the next ones are.
     first: [f64; 2],
     step: [f64; 2],
-    /// By how many pixels the rays may be off.
-    off: [f64; 2],
+    /// The longest way to a ray's point of the view plane, along the axes: |x| + |y| + f.
+    reach: f64,
+    /// By how much of that a ray's direction may be off.
+    rounding: f64,
+    /// Whether a ray's way into the scene, f, is more than what is rounded: else a ray may even go backward.
+    has_depth: bool,
 }
 
 impl View {
@@ -109,27 +156,88 @@ impl View {
             Grid::Edges => ([left, top], [(right - left) / (width - 1.0), (bottom - top) / (height - 1.0)]),
         };
         // What a ray of R is off: its x and y by four roundings of at most the window's edge, its direction by four more of
-        // x u, y v, f w, and u, v, w are unit vectors at right angles but for four. The projection here is done in f64, with
-        // no more of its own roundings. 16 units of each cover both, and a pixel more covers the ends.
-        let unit = 2.0_f64.powi(-(R::DIGITS as i32));
+        // x u, y v, f w, and u, v, w are unit vectors at right angles but for four. 16 units cover all.
+        let rounding = 16.0 * 2.0_f64.powi(-(R::DIGITS as i32));
         let reach = left.abs().max(right.abs()) + bottom.abs().max(top.abs()) + f;
-        let off = step.map(|step| 1.0 + 16.0 * unit * reach / step.abs());
-        View { e: camera.e.in_f64(), frame, f, first, step, off }
+        let has_depth = rounding * reach <= f / 2.0;
+        View { e: camera.e.in_f64(), frame, f, first, step, reach, rounding, has_depth }
+    }
+
+    /// By how many columns and rows a ray may pass beside the place where a point that it meets is projected.
+    ///
+    /// With δ for the rounding times the reach, x and y of a ray are off by δ, and so is f, by which they are divided: so the
+    /// place is off by δ (1 + reach/f) f/(f − δ), which is at most twice δ (1 + reach/f). The corners of a box, up to
+    /// `size_to_z` times as large as their z, are rounded here, in `f64`, by 8 units each. A pixel more covers the ends.
+    fn off(&self, size_to_z: f64) -> [f64; 2] {
+        let sideways = self.reach / self.f;
+        let of_ray = 2.0 * self.rounding * self.reach * (1.0 + sideways);
+        let of_corners = 8.0 * f64::EPSILON * size_to_z * (self.f + self.reach);
+        self.step.map(|step| 1.0 + (of_ray + of_corners) / step.abs())
     }
 
     fn place(&self, point: [f64; 3]) -> Place {
         let from_eye: [f64; 3] = std::array::from_fn(|axis| point[axis] - self.e[axis]);
         let dot = |a: [f64; 3]| a[0] * from_eye[0] + a[1] * from_eye[1] + a[2] * from_eye[2];
         let [x, y, z] = self.frame.map(dot);
-        // z is good but for a few roundings of its parts; half a pixel of 2^28 seen a window away is far more than those
+        // z is good but for a few roundings of its parts, in f64; this is far more than those
         let size = from_eye.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         match z {
             _ if !size.is_finite() || z.abs() <= size * f64::from(f32::EPSILON) => Place::Level,
             ..0.0 => Place::Behind,
             _ => {
                 let plane = [x * self.f / z, y * self.f / z];
-                Place::At([0, 1].map(|axis| (plane[axis] - self.first[axis]) / self.step[axis]))
+                let place = [0, 1].map(|axis| (plane[axis] - self.first[axis]) / self.step[axis]);
+                Place::At { place, size, z }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use math::{Camera, Handedness, Window};
+
+    /// From the origin along z, a window of side 2 at distance 1, ten by ten pixels.
+    fn seen(low: [f32; 3], high: [f32; 3]) -> Option<Rectangle> {
+        let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
+        let scene = Scene::<f64> { camera, grid: Grid::Centers, size: (10, 10), objects: Vec::new() };
+        rectangle(&scene, &Box3 { low, high })
+    }
+
+    /// By hand: at z = 2 the window is 4 wide, so x from 0 to 0.8 is columns 5 and 6, and one more on either side and
+    /// what is rounded outward; y from 1.2 to 2 is rows 0 and 1.
+    #[test]
+    fn a_box_has_its_rectangle() {
+        let Rectangle { cols, rows } = seen([0.0, 1.2, 2.0], [0.8, 2.0, 2.0]).unwrap();
+        assert!(*cols.start() <= 5 && *cols.end() >= 6 && cols.count() <= 6);
+        assert!(*rows.start() == 0 && *rows.end() >= 1 && rows.count() <= 4);
+        assert_eq!(seen([9.0, 0.0, 2.0], [9.5, 1.0, 3.0]), None, "to the right of the picture");
+        assert_eq!(seen([-1.0, -1.0, -3.0], [1.0, 1.0, -2.0]), None, "behind the eye");
+    }
+
+    /// The corner (1, 1, −1) would be at (−1, −1): a box from there to (2, 2, 4), seen up and to the right of the
+    /// middle, would be projected to what is between (−1, −1) and (½, ½) and the pixels outside of it were not asked.
+    #[test]
+    fn as_printed_a_corner_behind_the_eye_is_projected_upside_down() {
+        let project = |[x, y, z]: [f64; 3]| [x / z, y / z];
+        assert_eq!(project([1.0, 1.0, -1.0]), [-1.0, -1.0]);
+        assert_eq!(project([2.0, 2.0, 4.0]), [0.5, 0.5]);
+        // and the ray through (0.9, 0.9) of the view plane is in the box at z = 2
+        let all = Rectangle { cols: 0..=9, rows: 0..=9 };
+        assert_eq!(seen([1.0, 1.0, -1.0], [2.0, 2.0, 4.0]), Some(all.clone()));
+        assert_eq!(seen([1.0, 1.0, 0.0], [2.0, 2.0, 4.0]), Some(all), "level with it");
+    }
+
+    #[test]
+    fn a_picture_of_very_many_rows_has_few_bands() {
+        let whole = Rectangle { cols: 0..=0, rows: 0..=(1 << 28) - 1 };
+        let low = Rectangle { cols: 0..=0, rows: 5 << 20..=(1 << 28) - 1 };
+        let extents = Extents::new(1 << 28, [(7, low), (8, whole)]);
+        assert_eq!(extents.bands.len(), 1024);
+        let in_row = |row| extents.in_row(row).map(|(object, _)| *object).collect::<Vec<_>>();
+        assert_eq!((in_row(0), in_row(6 << 20)), (vec![8], vec![8, 7]));
     }
 }
