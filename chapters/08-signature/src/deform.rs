@@ -5,7 +5,11 @@
 //! triangle, so their points are moved once, before the first ray, and no ray pays for it. Where there is no
 //! transform there is no (A, t) either.
 
+use std::cmp::Ordering;
+
+use affine::exact_sign::of_determinant;
 use affine::{Affine, Deformed, Matrix3, Object};
+use math::wide::{exponent_of, scaled};
 use math::{Degenerate, Real, Vector, portable};
 use quadric::Shape as Solid;
 use ray_plane::Plane;
@@ -107,10 +111,26 @@ pub fn solid<R: Real>(solid: Solid, by: &Affine<f64>) -> Result<Shape<R>, Degene
     Ok(Shape::Deformed(Box::new(Deformed::new(object, rounded(by))?)))
 }
 
-/// A plane deformed: a point of it is moved, and its normal becomes A⁻ᵀ n (CSC418 11.6.1), here adj(A)ᵀ n, which is
-/// as long as the deformation makes it and never divided.
+/// A plane deformed: a point of it is moved, and its normal becomes A⁻ᵀ n (CSC418 11.6.1).
 pub fn plane(plane: &Plane<f64>, by: &Affine<f64>) -> Plane<f64> {
-    Plane { point: by.apply(plane.point), normal: by.a.adjugate().transposed_times(plane.normal) }
+    Plane { point: by.apply(plane.point), normal: normal(plane.normal, &by.a) }
+}
+
+/// The direction of A⁻ᵀ n, a unit vector: that of adj(A)ᵀ n, turned over where A mirrors. A must have an inverse, and
+/// n a direction; else it is NaN.
+///
+/// The products in adj(A) might overflow or vanish. So the columns of A are first made about as long as 1, by powers
+/// of two S: with A = B S it is A⁻ᵀ n = B⁻ᵀ (S⁻¹ n).
+pub fn normal(n: <f64 as Real>::Vec3, a: &Matrix3<f64>) -> <f64 as Real>::Vec3 {
+    let exponents =
+        a.columns.map(|column| column.in_f64::<3>().map(exponent_of).into_iter().max().unwrap_or(0));
+    let columns = [0, 1, 2].map(|at| a.columns[at].in_f64::<3>().map(|x| scaled(x, -exponents[at])));
+    let n = n.in_f64::<3>();
+    let largest = (0..3).filter(|&at| n[at] != 0.0).map(|at| exponent_of(n[at]) - exponents[at]).max();
+    let [x, y, z] = [0, 1, 2].map(|at| scaled(n[at], -exponents[at] - largest.unwrap_or(0)));
+    let b = Matrix3::<f64> { columns: columns.map(|[x, y, z]| f64::vec3(x, y, z)) };
+    let turned = b.adjugate().transposed_times(f64::vec3(x, y, z)).normalized();
+    if of_determinant(a) == Ordering::Less { -turned } else { turned }
 }
 
 #[cfg(test)]
@@ -153,7 +173,25 @@ mod tests {
         let before = Plane { point: DVec3::new(1.0, 1.0, 0.0), normal: DVec3::new(1.0, 1.0, 0.0) };
         let after = plane(&before, &Transform::Scale([2.0, 1.0, 1.0]).affine());
         assert_eq!(after.point, DVec3::new(2.0, 1.0, 0.0));
-        assert_eq!(after.normal.normalize(), DVec3::new(1.0, 2.0, 0.0).normalize());
+        assert_eq!(after.normal, DVec3::new(1.0, 2.0, 0.0).normalize());
+    }
+
+    /// By hand: A⁻ᵀ of a scaling has the factors' inverses; the products of these factors are no numbers.
+    #[test]
+    fn a_normal_is_turned_whatever_the_size_of_the_deformation() {
+        let by = |factors| Transform::Scale(factors).affine().a;
+        for size in [1e-200, 1e200] {
+            assert_eq!(normal(DVec3::Z, &by([size, size, 1.0])), DVec3::Z);
+            assert_eq!(normal(DVec3::X * 1e-300, &by([size; 3])), DVec3::X);
+            let askew = normal(DVec3::new(1.0, 2.0, 0.0), &by([size, 2.0 * size, size]));
+            assert_eq!(askew, DVec3::new(1.0, 1.0, 0.0).normalize());
+        }
+        assert_eq!(
+            normal(DVec3::X, &by([-1e-200, 1.0, 1.0])),
+            -DVec3::X,
+            "mirrored, it points the other way"
+        );
+        assert_eq!(normal(DVec3::Y, &by([-1e-200, 1.0, 1.0])), DVec3::Y);
     }
 
     /// By hand: the sphere of radius 2 about (1, 0, 0), stretched twofold along x, spans x from −2 to 6.

@@ -126,12 +126,9 @@ fn solid<R: Real>(solid: quadric::Shape, by: Option<&Affine<f64>>) -> Result<Sha
     }
 }
 
-/// A normal of a mesh, deformed: adj(A)ᵀ n, turned over where A mirrors (as A⁻ᵀ n is).
+/// A normal of a mesh, deformed; without a direction where it has none.
 fn turned<R: Real>(normal: [f64; 3], by: Option<&Affine<f64>>) -> R::Vec3 {
-    let Some(by) = by else { return vector::<R>(normal) };
-    let turned = by.a.adjugate().transposed_times(normal.into()).normalized();
-    let mirrors = by.a.determinant() < 0.0;
-    vector::<R>((if mirrors { -turned } else { turned }).in_f64())
+    vector::<R>(by.map_or(normal, |by| deform::normal(normal.into(), &by.a).in_f64()))
 }
 
 /// A ray with nothing wrong about it, to ask a shape whether anything is wrong about the shape.
@@ -162,7 +159,7 @@ impl Refuse<'_> {
             }
             Degenerate::Singular => file.fault(
                 self.place(),
-                "the transform has no inverse: it presses the object flat",
+                &format!("the transform has no inverse in {}: it presses the object flat", R::NAME),
                 "write steps that leave it a volume",
             ),
             Degenerate::NoArea => file.fault(
