@@ -52,10 +52,15 @@ pub(super) fn camera<R: Real>(file: &Scene, size: (u32, u32)) -> Result<(Camera<
             "write a direction that points to the side of it",
         ),
     })?;
-    let corners = [(window.left, window.bottom), (window.right, window.top)];
-    let seen = corners.map(|corner| camera.ray(corner));
-    if distance <= R::from(0.0) || seen.iter().any(|ray| ray.check().is_err()) {
-        return Err(file.fault(it.distance.place, &format!("no ray of {} gets there", R::NAME), TOO_LARGE));
+    // what overflows does so at an end of the grid, if not in between
+    let ends = [(0, 0), (size.0 - 1, size.1 - 1)].map(|pixel| grid.point(&window, size, pixel));
+    let is_ray = |end: &Result<(R, R), _>| end.as_ref().is_ok_and(|end| camera.ray(*end).check().is_ok());
+    if distance <= R::from(0.0) || !ends.iter().all(is_ray) {
+        return Err(file.fault(
+            it.distance.place,
+            &format!("the rays through the window at this distance are none in {}", R::NAME),
+            "take numbers that are neither so small nor so large, or --precision f64",
+        ));
     }
     Ok((camera, grid))
 }
