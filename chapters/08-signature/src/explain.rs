@@ -165,11 +165,16 @@ pub(crate) fn trace_ray<R: Real>(
             .number("λ*", "t − 1: the page's ray starts at p̄_ij", lambda - R::from(1.0))
             .note("CSC418 asks for λ* > 0 there");
     }
-    let place = |first: Option<First<R>>| first.map(|first| first.object);
-    section.remark(if place(from_plane) == place(from_eye) {
-        "The same object as from the eye: nothing stands before the view plane here."
-    } else {
-        "Another than from the eye: what stands before the view plane is not in either page's range (slip 22)."
+    section.remark(match (from_plane, from_eye) {
+        (None, None) => "From the eye, too, there is nothing.",
+        _ if from_plane == from_eye => {
+            "The same object as from the eye: nothing stands before the view plane here."
+        }
+        (Some(plane), Some(eye)) if plane.object == eye.object => {
+            "The same object as from the eye, farther on: what of it stands before the view plane is not in either \
+             page's range (slip 22)."
+        }
+        _ => "Another than from the eye: what stands before the view plane is not in either page's range (slip 22).",
     });
 }
 
