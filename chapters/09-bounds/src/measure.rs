@@ -23,7 +23,7 @@ pub(crate) struct Regime {
     spheres: usize,
 }
 
-/// From one sphere to a million: as large as they are far apart, so that about half of the rays hit.
+/// From one sphere to a million, the smaller the more there are: about a half of the rays hit.
 pub(crate) const REGIMES: [Regime; 12] = [
     spheres("spheres-1", "one sphere", 1),
     spheres("spheres-3", "3 spheres", 3),
@@ -126,8 +126,7 @@ fn of_file(
     Ok(in_scenes(name, what, single.as_ref(), &double, ask, effort))
 }
 
-/// Spheres anywhere in a cube of side 2, each as large as half the cube's side would be if they shared it, seen from
-/// the front.
+/// Spheres anywhere in a cube of side 2, each a little more than half as wide as its share of the cube, seen from the front.
 fn scene_of<R: Real>(name: &str, count: usize, seed: u64) -> Result<Scene<R>, Error> {
     let mut draw = Draw::new(seed, name, Precision::F64);
     let radius = R::round_from(0.55 / (count as f64).cbrt());

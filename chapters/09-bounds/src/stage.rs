@@ -36,8 +36,8 @@ impl Chapter for BoundsStage {
             words: &[],
             results: &[],
             trade: "Time and tests a ray against the number of objects, from 1 to a million spheres (the regimes), and in \
-                    Haines's balls; from which number on a bound pays is said and drawn (objects.svg). All see the same, \
-                    which is counted too.",
+                    Haines's balls and the teapot; from which number on a bound pays is said and drawn (trade.svg), and \
+                    the tests too (tests.svg). All see the same, which is counted.",
             regimes: REGIMES.iter().map(|regime| (regime.name, regime.what)).collect(),
         }
     }

@@ -125,7 +125,7 @@ fn own_flag(flag: Flag, stage: &str) -> Arg {
 fn trade_flags(about: &About) -> Vec<Arg> {
     let [method, precision, pixel, size, out, format] = common_flags(about);
     let all = |flag: Arg, help: &'static str| flag.default_value(None).help(help);
-    vec![
+    let mut flags = vec![
         Arg::new("quick")
             .long("quick")
             .action(ArgAction::SetTrue)
@@ -154,7 +154,10 @@ fn trade_flags(about: &About) -> Vec<Arg> {
         format.value_parser(["text", "json", "csv"]).help("How the numbers are printed"),
         pixel.hide(true),
         size.hide(true),
-    ]
+    ];
+    // what is written there is what show sees
+    flags.extend(about.flags.contains(&Flag::Ids).then(|| own_flag(Flag::Ids, about.name).hide(true)));
+    flags
 }
 
 /// What follows the flags in the help of `trade`.
@@ -162,7 +165,9 @@ fn trade_notes(about: &About) -> String {
     let About { trade, regimes, .. } = about;
     let width = regimes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let regimes: String = regimes.iter().map(|(name, what)| format!("\n  {name:width$}  {what}")).collect();
-    format!("{trade}\n--pixel and --size are for show.\n\nRegimes:{regimes}")
+    let for_show =
+        if about.flags.contains(&Flag::Ids) { "--pixel, --size and --ids" } else { "--pixel and --size" };
+    format!("{trade}\n{for_show} are for show.\n\nRegimes:{regimes}")
 }
 
 /// Reads `COL,ROW`.
