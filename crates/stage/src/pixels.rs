@@ -11,7 +11,7 @@ pub fn each_pixel<T: Clone + Default + Send>(
     value: impl Fn(u32, u32) -> T + Sync,
 ) -> Result<Vec<T>, Error> {
     let mut all = reserved(1, size)?;
-    all.resize(all.capacity(), T::default());
+    all.resize(size.0 as usize * size.1 as usize, T::default());
     by_row(&mut all, size.0 as usize, |row, values| {
         for (col, place) in (0..).zip(values) {
             *place = value(col, row);
