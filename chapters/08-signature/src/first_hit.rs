@@ -78,4 +78,16 @@ mod tests {
             assert_eq!(first(&[sphere(1.0)]), Some((0, 0.0)), "the eye is on it");
         }
     }
+
+    /// By hand: at (0, 0, 1e300) with a direction of 1e−300 λ* is 1e600.
+    #[test]
+    fn as_printed_a_hit_beyond_the_largest_number_is_lost() {
+        let point = DVec3::new(0.0, 0.0, 1e300);
+        let wall = Object::<f64> { id: None, shape: Shape::Plane(Plane { point, normal: DVec3::Z }) };
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::new(0.0, 0.0, 1e-300));
+        let first = first_hit(Method::Robust, &ray, &[wall], Span::ahead()).unwrap();
+        assert_eq!(first.lambda, f64::INFINITY);
+        let as_printed = first.lambda < f64::INFINITY;
+        assert!(!as_printed);
+    }
 }

@@ -93,3 +93,26 @@ fn label_places(seen: &Seen) -> Vec<(usize, (f32, f32))> {
     }
     places
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stage::built_in;
+
+    /// The page's loops, with an array that begins with what was there before.
+    #[test]
+    fn as_printed_a_pixel_that_sees_nothing_is_never_set() {
+        let scene = crate::from_file::scene::<f64>(&built_in("spheres").unwrap(), Some((9, 9))).unwrap();
+        let (width, mut sig) = (9, vec![77; 81]);
+        for (row, col) in (0..9).flat_map(|row| (0..9).map(move |col| (row, col))) {
+            if let Some(object) = scene.seen(Method::Robust, (col, row)) {
+                sig[(row * width + col) as usize] = scene.objects[object].id.unwrap();
+            }
+        }
+        // in the corner there is no sphere
+        assert_eq!(sig[0], 77);
+        let ids = Seen::of(&scene, Method::Robust).unwrap().ids(&scene).ids;
+        assert_eq!(ids[0], 0);
+        assert!(sig.iter().zip(&ids).all(|(sig, id)| sig == id || (*sig, *id) == (77, 0)));
+    }
+}
