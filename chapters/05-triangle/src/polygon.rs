@@ -155,7 +155,12 @@ impl<R: Real> Polygon<R> {
             let off = 8.0 * f64::EPSILON * (p[w].abs() + parts[0].abs() + parts[1].abs());
             let over = p[w] - parts[0] - parts[1];
             for axis in 0..3 {
-                let (least, most) = if axis == w { (over - off, over + off) } else { (x[axis], x[axis]) };
+                let (least, most) = match () {
+                    _ if axis != w => (x[axis], x[axis]),
+                    // where the numbers overflow: anywhere
+                    _ if over.is_nan() => (f64::NEG_INFINITY, f64::INFINITY),
+                    _ => (over - off, over + off),
+                };
                 low[axis] = low[axis].min(least).min(x[axis]);
                 high[axis] = high[axis].max(most).max(x[axis]);
             }

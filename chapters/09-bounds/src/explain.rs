@@ -27,8 +27,8 @@ pub(crate) fn explain<R: Real>(
     if method == Method::Auto {
         let required = Method::required(parts).name();
         let why = if parts < CROSSOVER { "fewer than" } else { "no fewer than" };
-        section.step("bounds", "what the scene requires", Value::text(required));
-        section.note(format!("{why} {CROSSOVER} parts, from which on a tree pays"));
+        section.step("method", "what the scene requires", Value::text(required));
+        section.note(format!("{why} {CROSSOVER} parts, from which on it pays"));
     }
     section.vector::<R>("ē", "the eye", ray.origin).vector::<R>("d⃗_ij", "p̄_ij − ē", ray.direction);
     let mut counts = Counts::default();
@@ -37,7 +37,7 @@ pub(crate) fn explain<R: Real>(
         .step("bounds", "tested", whole(counts.boxes))
         .step("tests", "objects tested", whole(counts.tests))
         .note(format!("of {parts}"))
-        .step("hits", "of these hit, nearer than what was hit before", whole(counts.hits));
+        .step("hits", "tests that hit, nearer than before", whole(counts.hits));
     match first {
         None => {
             section.step("λ_ij", "the smallest λ* ≥ 0", Value::text("none"));

@@ -80,6 +80,9 @@ fn show(
     json: bool,
     output: &mut dyn Write,
 ) -> Result<(), Error> {
+    if out.is_some_and(|out| Some(out.as_path()) == ids) {
+        return Err(Error::Request("--out and --ids name the same file; name two".to_string()));
+    }
     let shown = stage.show(ask)?;
     let path = picture_path(stage, out)?;
     write_picture(&shown.picture, &path)?;
@@ -121,6 +124,11 @@ fn trade(stage: &dyn Stage, matches: &ArgMatches, ask: &Ask, output: &mut dyn Wr
         Some("csv") => TradeFormat::Csv,
         _ => TradeFormat::Text,
     };
+    if ask.scene.is_some() && !ask.regimes.is_empty() {
+        return Err(Error::Request(
+            "--regime names scenes of the chapter; leave it out, or leave out --scene".to_string(),
+        ));
+    }
     // A wrong request leaves no folder behind, and what takes a minute is not begun where its drawings
     // cannot be kept.
     known(&ask.regimes, &stage.about())?;
