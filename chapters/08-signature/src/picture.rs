@@ -37,8 +37,8 @@ impl Seen {
 
     /// The ids of a scene's objects in their pixels.
     pub(crate) fn ids<R: Real>(&self, scene: &Scene<R>) -> Ids {
-        let id = |object: &Option<u32>| object.and_then(|object| scene.objects[object as usize].id);
-        Ids { size: self.size, ids: self.objects.iter().map(|object| id(object).unwrap_or(0)).collect() }
+        let id = |object: &Option<u32>| object.map(|object| scene.objects[object as usize].id);
+        Ids::new(self.size, self.objects.iter().map(id))
     }
 
     /// The false colors.

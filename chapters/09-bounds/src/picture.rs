@@ -64,8 +64,8 @@ impl Cost {
 
     /// The ids of the objects that are seen.
     pub(crate) fn ids<R: Real>(&self, scene: &Scene<R>) -> Ids {
-        let id = |pixel: &Pixel| pixel.object.and_then(|object| scene.objects[object as usize].id);
-        Ids { size: self.size, ids: self.pixels.iter().map(|pixel| id(pixel).unwrap_or(0)).collect() }
+        let id = |pixel: &Pixel| pixel.object.map(|object| scene.objects[object as usize].id);
+        Ids::new(self.size, self.pixels.iter().map(id))
     }
 }
 

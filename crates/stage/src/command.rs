@@ -12,6 +12,7 @@ use crate::eval::eval;
 use crate::flags::{TRADE_PLOT, TRADE_SEED, command};
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
+use crate::whole_file::try_at;
 use crate::{About, Ask, Error, Flag, Precision, Shown, Stage, TradeAsk, try_beside, write_picture};
 
 /// The whole program of a stage: reads the command line, does it, and says how it ended.
@@ -80,11 +81,24 @@ fn show(
     json: bool,
     output: &mut dyn Write,
 ) -> Result<(), Error> {
-    if out.is_some_and(|out| Some(out.as_path()) == ids) {
-        return Err(Error::Request("--out and --ids name the same file; name two".to_string()));
-    }
     let shown = stage.show(ask)?;
+    if let (Some(_), Some(seen)) = (ids, &shown.ids)
+        && seen.nameless > 0
+    {
+        return Err(Error::Request(format!(
+            "--ids: {} pixels see an object that has no id, as ids end at 65535; write fewer objects",
+            seen.nameless
+        )));
+    }
     let path = picture_path(stage, out)?;
+    if let Some(ids) = ids {
+        if same_file(ids, &path) {
+            let place = path.display();
+            return Err(Error::Request(format!("--ids and the picture are both {place}; name two files")));
+        }
+        // Both or neither: no picture where its ids cannot be kept.
+        try_at(ids)?;
+    }
     write_picture(&shown.picture, &path)?;
     let mut said = report(&shown, &path, json);
     if let (Some(path), Some(ids)) = (ids, &shown.ids) {
@@ -94,6 +108,16 @@ fn show(
         }
     }
     output.write_all(said.as_bytes()).map_err(Error::from_output)
+}
+
+/// Whether two names are of one file, be it there or not.
+fn same_file(a: &Path, b: &Path) -> bool {
+    let whole = |path: &Path| {
+        let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        let inside = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
+        path.canonicalize().ok().or_else(inside).unwrap_or_else(|| path.to_path_buf())
+    };
+    whole(a) == whole(b)
 }
 
 /// Where the picture goes: as asked, else `out/NAME.png`, whose folder is made.

@@ -35,15 +35,7 @@ pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result
     let failed = |error: io::Error| {
         Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error)))
     };
-    if path.is_dir() {
-        return Err(failed(io::ErrorKind::IsADirectory.into()));
-    }
-    if path.exists() && !path.is_file() {
-        return Err(Error::Failed(format!(
-            "cannot write {}: something that is not a file stands there; write elsewhere",
-            path.display()
-        )));
-    }
+    free_for_a_file(path)?;
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let unfinished = unfinished_name(&target);
     let written = File::create(&unfinished).and_then(|file| {
@@ -56,6 +48,27 @@ pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result
         let _ = fs::remove_file(&unfinished);
         failed(error)
     })
+}
+
+/// Nothing stands at `path` that a file cannot take the place of.
+fn free_for_a_file(path: &Path) -> Result<(), Error> {
+    let reason = if path.is_dir() {
+        reason(path, &io::ErrorKind::IsADirectory.into())
+    } else if path.exists() && !path.is_file() {
+        "something that is not a file stands there; write elsewhere".to_string()
+    } else {
+        return Ok(());
+    };
+    Err(Error::Failed(format!("cannot write {}: {reason}", path.display())))
+}
+
+/// Whether a file can be written at `path`, as far as can be known without writing it: for what comes before it. Nothing
+/// is left behind.
+///
+/// [`Error::Failed`] as [`write_whole`] would give it.
+pub(crate) fn try_at(path: &Path) -> Result<(), Error> {
+    free_for_a_file(path)?;
+    try_beside(&fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf()))
 }
 
 /// Whether files can be written beside `path`: for a long task, to find out before it is done. Nothing is

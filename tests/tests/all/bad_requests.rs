@@ -75,6 +75,40 @@ fn a_bad_request_is_refused_and_leaves_nothing() {
 }
 
 #[test]
+fn where_the_ids_cannot_be_kept_there_is_no_picture_either() {
+    for name in ["signature", "bounds"] {
+        for (ids, status, cause) in [
+            ("missing/ids.png", 1, "there is no folder missing"),
+            ("folder.png", 1, "it is a folder"),
+            ("file.txt/ids.png", 1, "file.txt is not a folder"),
+            ("ids.tif", 2, "ends in .png"),
+            ("./picture.png", 2, "name two files"),
+        ] {
+            let folder = furnished();
+            let args = ["--size", "16x12", "--out", "picture.png", "--ids", ids];
+            let run = run(folder.path(), name, &args);
+            assert_eq!((run.status, run.output.as_str()), (status, ""), "{name} {ids}: {}", run.errors);
+            assert!(run.errors.contains(cause), "{name} {ids}: {}", run.errors);
+            assert_eq!(folder.names(), ["file.txt", "folder.png"], "{name} {ids}");
+        }
+    }
+}
+
+/// An id has 16 bits, and 0 is nothing.
+#[test]
+fn an_object_without_an_id_is_not_written_as_nothing() {
+    let sky = "v from 0 0 -4 at 0 0 0 up 0 1 0 angle 40 hither 1 resolution 4 4\nf 1 1 1 1 0 1 0 0\n";
+    let scene = format!("{sky}{}s 0 0 0 3\n", "s 0 0 900 1\n".repeat(65535));
+    let folder = Folder::new();
+    folder.put("scene.nff", &scene);
+    let args = ["--scene", "scene.nff", "--out", "picture.png"];
+    let with_ids = run(folder.path(), "bounds", &[&args[..], &["--ids", "ids.png"]].concat());
+    assert_eq!(with_ids.status, 2);
+    assert!(with_ids.errors.starts_with("error: --ids: 16 pixels see an object that has no id"));
+    assert_eq!(folder.names(), ["scene.nff"]);
+}
+
+#[test]
 fn a_file_named_out_is_in_the_way_of_the_folder() {
     for stage in STAGES {
         let folder = Folder::new();
