@@ -52,46 +52,64 @@ impl Seen {
     }
 }
 
+/// The radius of the ring around the pixel that is explained.
+const RING: f32 = 6.0;
+
 /// The false colors, an id on every object that is large enough for it, and a ring around the pixel that is
 /// explained.
 pub(crate) fn draw<R: Real>(seen: &Seen, scene: &Scene<R>, pixel: (u32, u32)) -> Result<Canvas, Error> {
     let mut canvas = seen.canvas()?;
     canvas.fit(seen.size.0 as f32, seen.size.1 as f32);
-    for (object, place) in label_places(seen) {
-        if let Some(id) = scene.objects[object].id {
-            let size = (0.03 * seen.size.1 as f32).clamp(9.0, 18.0);
-            canvas.plate(
-                (place.0, place.1 + size / 3.0),
-                Anchor::Middle,
-                size,
-                Color::BLACK,
-                &id.to_string(),
-            );
+    let size = (0.03 * seen.size.1 as f32).clamp(9.0, 18.0);
+    for (object, place, room) in label_places(seen, pixel) {
+        let id = scene.objects[object].id.map(|id| id.to_string());
+        // a plate is some 0.65 of its letters' size wide for each of them, and as much beside them
+        if let Some(id) = id.filter(|id| 0.33 * size * (id.len() + 1) as f32 <= room) {
+            canvas.plate((place.0, place.1 + size / 3.0), Anchor::Middle, size, Color::BLACK, &id);
         }
     }
     let at = (pixel.0 as f32 + 0.5, pixel.1 as f32 + 0.5);
-    canvas.circle(at, 6.0, Pen::solid(Color::BLACK, 4.0));
-    canvas.circle(at, 6.0, Pen::solid(Color::WHITE, 1.5));
+    canvas.circle(at, RING, Pen::solid(Color::BLACK, 4.0));
+    canvas.circle(at, RING, Pen::solid(Color::WHITE, 1.5));
     Ok(canvas)
 }
 
-/// For each object of which at least a two-hundredth of the picture is seen, the place of its id: the mean of its
-/// pixels, or the one of them that is nearest to it.
-fn label_places(seen: &Seen) -> Vec<(usize, (f32, f32))> {
-    let least = (seen.objects.len() / 200).max(400) as u64;
+/// For each object that is seen, the middle of the largest square of pixels that see it, and half the square's side: its
+/// id stands there, and covers no other object. The ring around the pixel that is explained is not covered either.
+fn label_places(seen: &Seen, ring: (u32, u32)) -> Vec<(usize, (f32, f32), f32)> {
     let width = seen.size.0 as usize;
-    let place = |at: usize| ((at % width) as f32, (at / width) as f32);
-    let mut places = Vec::new();
-    for (object, count) in seen.counts().into_iter().filter(|(_, count)| *count >= least) {
-        let its = || (0..seen.objects.len()).filter(|&at| seen.objects[at] == Some(object as u32)).map(place);
-        let sum = its().fold((0.0, 0.0), |sum, (x, y)| (sum.0 + f64::from(x), sum.1 + f64::from(y)));
-        let mean = ((sum.0 / count as f64) as f32, (sum.1 / count as f64) as f32);
-        let apart = |(x, y): (f32, f32)| (x - mean.0).powi(2) + (y - mean.1).powi(2);
-        if let Some(nearest) = its().min_by(|&a, &b| apart(a).total_cmp(&apart(b))) {
-            places.push((object, nearest));
+    let mut largest: BTreeMap<u32, (u32, usize)> = BTreeMap::new();
+    // The side of the largest square whose lower right corner a pixel is: by those of its three neighbors above and left
+    // of it. Two rows of them are kept.
+    let (mut above, mut row) = (vec![0; width], vec![0; width]);
+    for (at, object) in seen.objects.iter().enumerate() {
+        let (col, line) = (at % width, at / width);
+        let in_ring = col.abs_diff(ring.0 as usize).max(line.abs_diff(ring.1 as usize)) <= RING as usize + 2;
+        let same = |other: usize| seen.objects[other] == *object;
+        row[col] = match object {
+            Some(_) if in_ring => 0,
+            Some(_) if col == 0 || line == 0 => 1,
+            Some(_) if same(at - 1) && same(at - width) && same(at - width - 1) => {
+                1 + row[col - 1].min(above[col]).min(above[col - 1])
+            }
+            Some(_) => 1,
+            None => 0,
+        };
+        if let Some(object) = object {
+            let best = largest.entry(*object).or_insert((0, at));
+            if row[col] > best.0 {
+                *best = (row[col], at);
+            }
+        }
+        if col + 1 == width {
+            std::mem::swap(&mut above, &mut row);
         }
     }
-    places
+    let half = |(side, at): (u32, usize)| {
+        let half = side as f32 / 2.0;
+        (((at % width + 1) as f32 - half, (at / width + 1) as f32 - half), half)
+    };
+    largest.into_iter().map(|(object, square)| (object as usize, half(square).0, half(square).1)).collect()
 }
 
 #[cfg(test)]
