@@ -25,5 +25,9 @@ fn vector<R: Real>([x, y, z]: [f64; 3]) -> R::Vec3 {
     R::vec3(R::round_from(x), R::round_from(y), R::round_from(z))
 }
 
-/// What to do about a number that R cannot hold.
-const TOO_LARGE: &str = "make it smaller, or take --precision f64";
+/// What to do about numbers of which R keeps too little: `mend` them, or take a precision that keeps more where there is
+/// one.
+fn or_f64<R: Real>(mend: &str) -> String {
+    let wider = if R::NAME == f64::NAME { "" } else { ", or take --precision f64" };
+    format!("{mend}{wider}")
+}

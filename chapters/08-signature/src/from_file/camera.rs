@@ -3,7 +3,7 @@
 use math::{Camera, Degenerate, Grid, Handedness, Real, Vector, Window, portable};
 use scene_file::{Error, Extent, Scene, View};
 
-use super::{TOO_LARGE, vector};
+use super::{or_f64, vector};
 
 /// The camera for a picture of `size` pixels, and its grid.
 pub(super) fn camera<R: Real>(file: &Scene, size: (u32, u32)) -> Result<(Camera<R>, Grid), Error> {
@@ -39,7 +39,8 @@ pub(super) fn camera<R: Real>(file: &Scene, size: (u32, u32)) -> Result<(Camera<
     let camera = Camera::looking(eye, forward, up, handedness, distance, window);
     let camera = camera.map_err(|degenerate| match degenerate {
         Degenerate::NotFinite => {
-            file.fault(it.place, &format!("a number of the camera is too large for {}", R::NAME), TOO_LARGE)
+            let problem = format!("a number of the camera is too large for {}", R::NAME);
+            file.fault(it.place, &problem, &or_f64::<R>("make it smaller"))
         }
         _ if forward.is_zero() => file.fault(
             it.view.place,
@@ -49,7 +50,7 @@ pub(super) fn camera<R: Real>(file: &Scene, size: (u32, u32)) -> Result<(Camera<
         _ => file.fault(
             it.up.place,
             "`up` runs along the way the camera looks: nothing says what is up in the picture",
-            "write a direction that points to the side of it",
+            &format!("write an `up` that points to the side of it, such as `{}`", aside::<R>(forward)),
         ),
     })?;
     // what overflows does so at an end of the grid, if not in between
@@ -59,10 +60,22 @@ pub(super) fn camera<R: Real>(file: &Scene, size: (u32, u32)) -> Result<(Camera<
         return Err(file.fault(
             it.distance.place,
             &format!("the rays through the window at this distance are none in {}", R::NAME),
-            "take numbers that are neither so small nor so large, or --precision f64",
+            &or_f64::<R>("take numbers that are neither so small nor so large"),
         ));
     }
     Ok((camera, grid))
+}
+
+/// The axis that is farthest from a direction.
+fn aside<R: Real>(direction: R::Vec3) -> &'static str {
+    let [x, y, z] = direction.in_f64().map(f64::abs);
+    if y <= x && y <= z {
+        "[0.0, 1.0, 0.0]"
+    } else if z <= x {
+        "[0.0, 0.0, 1.0]"
+    } else {
+        "[1.0, 0.0, 0.0]"
+    }
 }
 
 /// The part of the view plane that is seen.

@@ -12,7 +12,7 @@ use triangle::Triangle;
 use triangle::mesh::Mesh;
 use triangle::polygon::Polygon;
 
-use super::{TOO_LARGE, vector};
+use super::{or_f64, vector};
 use crate::{Object, Shape, Transform, deform};
 
 /// An object where it stands in the world.
@@ -47,6 +47,11 @@ fn shape<R: Real>(
         Some(by) => vector::<R>(by.apply(point.into()).in_f64()),
         None => vector::<R>(point),
     };
+    let all_moved = |points: &[[f64; 3]]| {
+        let moved: Vec<R::Vec3> = points.iter().copied().map(moved).collect();
+        let held = moved.iter().all(|point| point.is_finite());
+        if held { Ok(moved) } else { Err(degenerate(Degenerate::NotFinite)) }
+    };
     match it {
         scene_file::Shape::Plane { point, normal } => {
             let plane = Plane { point: (*point).into(), normal: (*normal).into() };
@@ -74,13 +79,13 @@ fn shape<R: Real>(
             triangle([0, 1, 2].map(|corner| moved(vertices[corner]))).map_err(degenerate)
         }
         scene_file::Shape::Polygon { vertices } => {
-            let polygon = Polygon::new(vertices.iter().copied().map(moved).collect());
+            let polygon = Polygon::new(all_moved(vertices)?);
             polygon.map(Shape::Polygon).map_err(|why| refuse.shape(&why))
         }
         scene_file::Shape::Cylinder => solid(quadric::Shape::Cylinder, by).map_err(degenerate),
         scene_file::Shape::Cone => solid(quadric::Shape::Cone, by).map_err(degenerate),
         scene_file::Shape::Mesh { mesh, smooth } => {
-            let vertices = mesh.vertices.iter().copied().map(moved).collect();
+            let vertices = all_moved(&mesh.vertices)?;
             let faces = mesh.faces.iter().map(|face| face.map(|vertex| vertex as usize)).collect();
             let flat = Mesh::<R>::new(vertices, faces).map_err(|why| refuse.shape(&why))?;
             match (*smooth, mesh.normals.is_empty()) {
@@ -106,7 +111,7 @@ fn shape<R: Real>(
             let fan: Vec<[usize; 3]> = (2..vertices.len()).map(|corner| [0, corner - 1, corner]).collect();
             let at_corners: Vec<[Option<R::Vec3>; 3]> =
                 fan.iter().map(|face| face.map(|vertex| Some(turned::<R>(normals[vertex], by)))).collect();
-            let vertices = vertices.iter().copied().map(moved).collect();
+            let vertices = all_moved(vertices)?;
             let mesh = Mesh::new(vertices, fan).and_then(|flat| flat.with_normals(&at_corners));
             mesh.map(Shape::Mesh).map_err(|why| refuse.shape(&why))
         }
@@ -154,20 +159,26 @@ impl Refuse<'_> {
     fn degenerate<R: Real>(&self, why: Degenerate) -> Error {
         let (place, file) = (self.it.place, self.file);
         match why {
-            Degenerate::NotFinite => {
-                file.fault(place, &format!("a number of this object is too large for {}", R::NAME), TOO_LARGE)
-            }
+            Degenerate::NotFinite => file.fault(
+                place,
+                &format!("a number of this object is too large for {}", R::NAME),
+                &or_f64::<R>("make it smaller"),
+            ),
             Degenerate::Singular => file.fault(
                 self.place(),
                 &format!("the transform has no inverse in {}: it presses the object flat", R::NAME),
-                "write steps that leave it a volume",
+                &or_f64::<R>("write steps that leave it a volume"),
             ),
             Degenerate::NoArea => file.fault(
                 place,
                 &format!("the triangle has no area: its corners lie on one line in {}", R::NAME),
-                "move a corner off the line",
+                &or_f64::<R>("move a corner off the line"),
             ),
-            other => file.fault(place, &other.to_string(), "give the object an extent"),
+            other => file.fault(
+                place,
+                &format!("{other} in {}", R::NAME),
+                &or_f64::<R>("give the object an extent"),
+            ),
         }
     }
 
