@@ -15,8 +15,13 @@ impl Scene {
     /// An [`Error`] with the place and the remedy where the file says what it should not, where there is none, or
     /// where it cannot be read.
     pub fn read(path: &Path) -> Result<Scene, Error> {
-        let is_nff = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("nff"));
+        let ends_in = |of: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(of));
+        let is_nff = ends_in("nff");
         let name = path.display().to_string();
+        if ends_in("obj") {
+            let remedy = "name a scene in TOML whose `[[object]]` says `mesh = { file = \"…\" }`";
+            return Err(Error::unreadable(&name, "a mesh alone is no scene", remedy));
+        }
         let bytes =
             bytes_of(path, if is_nff { NFF_BYTES } else { TOML_BYTES }).map_err(|unread| {
                 match unread.wrong_file {

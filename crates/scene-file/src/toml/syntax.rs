@@ -31,6 +31,11 @@ const MESSAGES: &[(&str, &str, &str)] = &[
     ("invalid fraction", "a number without a digit after its dot", "write `5.0` or `5` for `5.`"),
     ("invalid exponent", "a number without a digit after its e", "write for example `1e-3`"),
     ("invalid unquoted key", "this cannot stand in a key", "write letters from a to z, digits, `-` and `_`"),
+    (
+        "integers with a radix cannot be signed",
+        "a sign before `0x`, `0o` or `0b`",
+        "write the number in decimal",
+    ),
     ("unexpected leading zero", "a number that begins with 0", "leave the 0 out"),
     ("`_` may only go between digits", "`_` may only stand between digits", "leave it out"),
     ("recursion limit", "keys nested too deeply", "write fewer dots: no scene needs more than three"),
