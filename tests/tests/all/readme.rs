@@ -72,6 +72,16 @@ fn the_commands_print_what_is_shown() {
                 commands += answers.len();
                 output = answers.concat();
             }
+            // a scene, and the same with a mistake: `my.toml` and `wrong.toml`
+            "toml" => {
+                folder.put("my.toml", &text);
+                folder.put("wrong.toml", text.replace("radius", "radus"));
+            }
+            "text" if text.starts_with("error: ") => {
+                let run = run(folder.path(), "signature", &["--scene", "wrong.toml"]);
+                assert_eq!((run.status, run.errors.as_str()), (2, text.as_str()));
+                shown += 1;
+            }
             "text" => {
                 assert!(output.contains(&text), "the commands before do not print this:\n{text}");
                 shown += 1;
