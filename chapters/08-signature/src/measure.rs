@@ -10,7 +10,7 @@ use math::{Ray3, Real, Span};
 use stage::{Error, Precision, TradeAsk};
 
 use crate::stage::{fault, read};
-use crate::{Method, Scene, first_hit, from_file};
+use crate::{Method, Scene, Shape, first_hit, from_file};
 
 mod scenes;
 pub(crate) use scenes::SCENES;
@@ -22,6 +22,8 @@ pub(crate) struct Measured {
     pub(crate) what: String,
     /// How many objects it has.
     pub(crate) objects: usize,
+    /// How many intersections a ray tries: a mesh is one object, and one for each of its faces.
+    pub(crate) tries: usize,
     pub(crate) entries: Vec<Entry>,
 }
 
@@ -128,7 +130,19 @@ fn in_scene(
     let points: Vec<(f64, f64)> = times.iter().zip(&offs).map(|(ns, off)| (ns.median, off.share())).collect();
     let all = wanted.into_iter().zip(times).zip(offs).zip(lab::front(&points));
     let entry = |((((method, precision), ns), off), on_front)| Entry { method, precision, ns, off, on_front };
-    Ok(Measured { name, what, objects: exact.objects.len(), entries: all.map(entry).collect() })
+    Ok(Measured {
+        name,
+        what,
+        objects: exact.objects.len(),
+        tries: tries(&exact),
+        entries: all.map(entry).collect(),
+    })
+}
+
+/// How many intersections a ray tries.
+fn tries(scene: &Scene<f64>) -> usize {
+    let of_shape = |shape: &Shape<f64>| if let Shape::Mesh(mesh) = shape { mesh.faces().len() } else { 1 };
+    scene.objects.iter().map(|object| of_shape(&object.shape)).sum()
 }
 
 /// The pixels that are compared: all of the picture where there are no more of them than asked for, else some of them.

@@ -68,7 +68,7 @@ fn plot(measured: &[Measured]) -> TradePlot {
 
 fn text(measured: &[Measured], seed: u64) -> String {
     let mut text = format!("signature · trade · seed {seed}\n");
-    text += "ns: a pixel, all objects tried, the median and its quartiles. other: pixels that see another object than the \
+    text += "ns: a pixel, all objects (and faces of meshes) tried, the median and its quartiles. other: pixels that see another object than the \
              robust\nmethods at f64 do, with no object and some object among them; holes: those of them that see nothing at \
              all.\n★: on the Pareto front: nothing else is at least as fast and as right, and better in one.\n";
     for it in measured {
@@ -78,11 +78,11 @@ fn text(measured: &[Measured], seed: u64) -> String {
     text + "\n" + &what_to_take(measured)
 }
 
-const HEADS: [&str; 7] = ["method", "", "ns", "", "ns/object", "other", "holes"];
+const HEADS: [&str; 7] = ["method", "", "ns", "", "ns/try", "other", "holes"];
 
 /// One scene: its name, what it is, and a line a method and precision.
 fn table(measured: &Measured) -> String {
-    let Measured { name, what, objects, entries } = measured;
+    let Measured { name, what, tries, entries, .. } = measured;
     let pixels = entries.first().map_or(0, |entry| entry.off.pixels);
     let heads = HEADS.map(str::to_string).to_vec();
     let cells = |Entry { method, precision, ns, off, .. }: &Entry| {
@@ -91,7 +91,7 @@ fn table(measured: &Measured) -> String {
             precision.name().to_string(),
             three_digits(ns.median),
             format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
-            three_digits(ns.median / *objects as f64),
+            three_digits(ns.median / *tries as f64),
             short(off.others as f64),
             short(off.holes as f64),
         ]

@@ -6,7 +6,7 @@ use stage::{Transcript, Value};
 
 use crate::method::CROSSOVER;
 use crate::picture::Cost;
-use crate::{Bounded, Counts, Method};
+use crate::{Bounded, Counts, Method, Parts};
 
 /// The bounds of the scene and what they save one ray.
 pub(crate) fn explain<R: Real>(
@@ -57,8 +57,14 @@ fn whole(count: impl TryInto<u64>) -> Value {
     Value::text(count.try_into().unwrap_or(u64::MAX).to_string())
 }
 
+/// With more to test than this, making all the bounds for one pixel takes longer than the picture.
+const MANY: usize = 100_000;
+
 /// The same pixel with every kind of bound: the same object, by other counts.
 pub(crate) fn every_method<R: Real>(transcript: &mut Transcript, scene: &Scene<R>, pixel: (u32, u32)) {
+    if Parts::of(scene).count() > MANY {
+        return;
+    }
     let mut rows = Vec::new();
     for method in Method::ALL.into_iter().filter(|method| *method != Method::Auto) {
         let mut counts = Counts::default();
