@@ -29,7 +29,7 @@ pub(crate) fn explain<R: Real>(
 
     let first = first_hit(method, &ray, &scene.objects, Span::ahead());
     let tries: Vec<Try<R>> = scene.objects.iter().map(|object| Try::of(method, &ray, object)).collect();
-    let (rows, left_out) = rows(scene, &tries, first);
+    let (rows, left_out) = rows(scene, &tries);
     let columns = ["k", "objID", "object", "λ*", "λ_ij", "why"];
     match first {
         None => {
@@ -40,7 +40,7 @@ pub(crate) fn explain<R: Real>(
             section
                 .number("λ_ij", "the smallest λ* ≥ 0", lambda)
                 .note(format!("of {}", named(object, it)))
-                .step("sig[i, j]", "objID_k", Value::text(id(it)))
+                .step("sig[i, j]", "objID_k", id(it))
                 .vector::<R>("r̄(λ_ij)", "ē + λ_ij d⃗_ij", ray.at(lambda));
         }
     }
@@ -82,11 +82,15 @@ impl<R: Real> Try<R> {
 
 /// The rows of the table, in the order of the loop: all objects, or where they are many those that the line meets. And how
 /// many are left out.
-fn rows<R: Real>(scene: &Scene<R>, tries: &[Try<R>], first: Option<First<R>>) -> (Vec<Vec<Value>>, usize) {
+fn rows<R: Real>(scene: &Scene<R>, tries: &[Try<R>]) -> (Vec<Vec<Value>>, usize) {
     let (mut rows, mut left_out, mut best) = (Vec::new(), 0, None::<First<R>>);
     for (object, (it, result)) in scene.objects.iter().zip(tries).enumerate() {
         let (lambda, why) = match *result {
-            Try::Hit(lambda) => (Value::number(lambda), fate(object, lambda, best, first)),
+            Try::Hit(lambda) => {
+                let nearer = |it: &Try<R>| matches!(*it, Try::Hit(other) if other < lambda);
+                let next = tries[object..].iter().position(nearer).map(|steps| object + steps);
+                (Value::number(lambda), fate(lambda, best, next))
+            }
             Try::Behind(lambda) => (Value::number(-lambda), "behind the eye: λ* < 0".to_string()),
             Try::Along(how) => (Value::text("none"), format!("missed: {}", how.reason())),
             Try::Miss => (Value::text("none"), "missed".to_string()),
@@ -101,34 +105,34 @@ fn rows<R: Real>(scene: &Scene<R>, tries: &[Try<R>], first: Option<First<R>>) ->
             continue;
         }
         let lambda_ij = best.map_or(Value::number(R::INFINITY), |best| Value::number(best.lambda));
-        let place = Value::text((object + 1).to_string());
-        rows.push(vec![
-            place,
-            Value::text(id(it)),
-            Value::text(it.shape.name()),
-            lambda,
-            lambda_ij,
-            Value::text(why),
-        ]);
+        let place = whole(object as u64 + 1);
+        rows.push(vec![place, id(it), Value::text(it.shape.name()), lambda, lambda_ij, Value::text(why)]);
     }
     (rows, left_out)
 }
 
-/// Why an object that is hit wins or loses. `best` is the nearest of those before it in the loop.
-fn fate<R: Real>(object: usize, lambda: R, best: Option<First<R>>, first: Option<First<R>>) -> String {
-    let Some(first) = first else { return String::new() };
-    match best {
-        _ if object == first.object => "seen: no λ* is smaller".to_string(),
-        Some(best) if lambda == best.lambda => {
+/// Why an object that is hit wins or loses. `best` is the nearest of those before it in the loop, `next` the first
+/// after it that is nearer than it.
+fn fate<R: Real>(lambda: R, best: Option<First<R>>, next: Option<usize>) -> String {
+    match (best, next) {
+        (Some(best), _) if lambda == best.lambda => {
             format!("not λ* < λ_ij: a tie with object {}, which comes earlier", best.object + 1)
         }
-        Some(best) if lambda > best.lambda => format!("not λ* < λ_ij: behind object {}", best.object + 1),
-        _ => format!("λ* < λ_ij, until object {} comes", first.object + 1),
+        (Some(best), _) if lambda > best.lambda => {
+            format!("not λ* < λ_ij: behind object {}", best.object + 1)
+        }
+        (_, Some(next)) => format!("λ* < λ_ij, until object {} comes", next + 1),
+        (_, None) => "seen: no λ* is smaller".to_string(),
     }
 }
 
-fn id<R: Real>(object: &Object<R>) -> String {
-    object.id.map_or("none".to_string(), |id| id.to_string())
+fn id<R: Real>(object: &Object<R>) -> Value {
+    Value::maybe(object.id.map(f64::from))
+}
+
+/// A count as a table has it.
+fn whole(count: u64) -> Value {
+    Value::number(count as f64)
 }
 
 /// An object by its place in the loop and its shape.
@@ -208,9 +212,9 @@ fn rows_of<R: Real>(
         let first = first_hit(method, &scene.ray(pixel), &scene.objects, Span::ahead());
         let (seen, lambda) = match first {
             Some(First { object, lambda }) => (id(&scene.objects[object]), Value::number(lambda)),
-            None => ("0".to_string(), Value::text("none")),
+            None => (whole(0), Value::text("none")),
         };
-        rows.push(vec![Value::text(method.name()), Value::text(R::NAME), Value::text(seen), lambda]);
+        rows.push(vec![Value::text(method.name()), Value::text(R::NAME), seen, lambda]);
     }
     Ok(())
 }
@@ -228,12 +232,11 @@ pub(crate) fn signature<R: Real>(transcript: &mut Transcript, scene: &Scene<R>, 
         .take(ROWS)
         .map(|&(object, count)| {
             let it = &scene.objects[object];
-            let words = [id(it), it.shape.name().to_string(), count.to_string()];
-            words.map(Value::text).to_vec()
+            vec![id(it), Value::text(it.shape.name()), whole(count)]
         })
         .collect();
     if nothing > 0 {
-        rows.push(["0", "nothing", &nothing.to_string()].map(Value::text).to_vec());
+        rows.push(vec![whole(0), Value::text("nothing"), whole(nothing)]);
     }
     section.table(&["objID", "object", "pixels"], rows);
     if largest.len() > ROWS {

@@ -54,7 +54,7 @@ pub(crate) fn explain<R: Real>(
 
 /// A count as a step has it.
 fn whole(count: impl TryInto<u64>) -> Value {
-    Value::text(count.try_into().unwrap_or(u64::MAX).to_string())
+    Value::number(count.try_into().unwrap_or(u64::MAX) as f64)
 }
 
 /// With more to test than this, making all the bounds for one pixel takes longer than the picture.
