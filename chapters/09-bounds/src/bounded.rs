@@ -2,9 +2,10 @@
 
 use math::{Ray3, Real, Span};
 use ray_sphere::{Sphere, robust};
-use signature::{First, Scene};
+use signature::{First, Method as Formulas, Scene};
 
 use crate::projected::{Extents, rectangle};
+use crate::trial::{Ready, Trial};
 use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
@@ -16,6 +17,27 @@ pub struct Bounded<'a, R: Real> {
     /// is looked for then.
     unbounded: Vec<usize>,
     bounds: Bounds<R>,
+    trial: Trial,
+}
+
+/// What a ray hits first, part by part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstPart<R> {
+    /// Which of the [`Parts`].
+    pub part: usize,
+    /// λ, in lengths of the ray's direction.
+    pub lambda: R,
+}
+
+/// What is asked of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Query<R: Real> {
+    /// The ray. It must be a ray: [`Ray3::check`].
+    pub ray: Ray3<R>,
+    /// Where a hit counts; it must not begin below 0.
+    pub span: Span<R>,
+    /// A part that the ray passes as if it were not there.
+    pub without: Option<usize>,
 }
 
 /// What is around the objects.
@@ -38,6 +60,15 @@ enum Bounds<R: Real> {
 impl<'a, R: Real> Bounded<'a, R> {
     /// Works the bounds out. [`Method::Auto`] takes those that [`Method::required`] says.
     pub fn new(scene: &'a Scene<R>, method: Method) -> Bounded<'a, R> {
+        Bounded::by(Formulas::Robust, scene, method)
+    }
+
+    /// The same for shapes that are met by one or the other formulas.
+    ///
+    /// The notes' may say of a ray that it hits what it passes by, and a bound that is not met would hide that. So that
+    /// what is seen does not depend on the bounds, such a hit counts only where the ray is in the part's own box: see
+    /// [`mod@crate::trial`].
+    pub fn by(formulas: Formulas, scene: &'a Scene<R>, method: Method) -> Bounded<'a, R> {
         let parts = Parts::of(scene);
         let objects = 0..scene.objects.len();
         let boxed: Vec<(usize, Box3)> =
@@ -78,7 +109,8 @@ impl<'a, R: Real> Bounded<'a, R> {
                 Bounds::Wide { wide: Wide::build(&boxes), parts }
             }
         };
-        Bounded { scene, parts, unbounded, bounds }
+        let trial = Trial::of(formulas, &parts);
+        Bounded { scene, parts, unbounded, bounds, trial }
     }
 
     /// How many things there are to test: objects, and of a mesh its faces.
@@ -86,96 +118,139 @@ impl<'a, R: Real> Bounded<'a, R> {
         self.parts.count()
     }
 
+    /// What is tested.
+    pub fn all_parts(&self) -> &Parts<'a, R> {
+        &self.parts
+    }
+
+    /// The formulas by which the shapes are met.
+    pub fn formulas(&self) -> Formulas {
+        self.trial.formulas()
+    }
+
     /// What a pixel sees first, and where.
     #[inline]
     pub fn seen(&self, pixel: (u32, u32), counts: &mut impl Tally) -> Option<First<R>> {
-        self.nearest(&self.scene.ray(pixel), Span::ahead(), Some(pixel), counts)
+        let query = Query { ray: self.scene.ray(pixel), span: Span::ahead(), without: None };
+        self.search::<false>(&query, Some(pixel), counts).map(|first| self.object(first))
     }
 
     /// What any ray hits first in `span`, which must not begin below 0: the same as [`fn@signature::first_hit`] by the
     /// robust methods. The ray must be a ray. Extents help rays of the eye only.
     #[inline]
     pub fn first_hit(&self, ray: &Ray3<R>, span: Span<R>, counts: &mut impl Tally) -> Option<First<R>> {
-        self.nearest(ray, span, None, counts)
+        let query = Query { ray: *ray, span, without: None };
+        self.first_part(&query, counts).map(|first| self.object(first))
     }
 
-    fn nearest(
+    /// The part that is hit first, `None` where nothing is; on a tie the earlier one.
+    #[inline]
+    pub fn first_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<FirstPart<R>> {
+        self.search::<false>(query, None, counts)
+    }
+
+    /// Some part that is hit, `None` where nothing is: the search ends with the first that it finds. Which one that is
+    /// depends on the bounds.
+    #[inline]
+    pub fn any_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<FirstPart<R>> {
+        self.search::<true>(query, None, counts)
+    }
+
+    fn object(&self, first: FirstPart<R>) -> First<R> {
+        First { object: self.parts.object(first.part), lambda: first.lambda }
+    }
+
+    #[inline]
+    fn search<const ANY: bool>(
         &self,
-        ray: &Ray3<R>,
-        span: Span<R>,
+        query: &Query<R>,
         pixel: Option<(u32, u32)>,
         counts: &mut impl Tally,
-    ) -> Option<First<R>> {
-        let mut nearest = Nearest::new(span);
+    ) -> Option<FirstPart<R>> {
+        let Query { ray, span, .. } = query;
+        let test = self.trial.ready(&self.parts, query);
+        let mut nearest = Nearest::new(*span);
         match &self.bounds {
             Bounds::None => {
-                self.try_all(0..self.parts.count(), ray, &mut nearest, counts);
+                try_all::<R, ANY>(0..self.parts.count(), &test, &mut nearest, counts);
             }
             Bounds::Spheres(spheres) => {
-                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
-                let reach = Reach::of(span);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                let reach = Reach::of(*span);
                 for (object, sphere) in spheres {
                     // "only test intersections with objects if there exists a positive intersection with the bounding
                     // volume"
                     counts.boxes(1);
                     if !sphere.as_ref().is_some_and(|sphere| passes(ray, sphere, reach)) {
-                        self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
+                        try_all::<R, ANY>(self.parts.of_object(*object), &test, &mut nearest, counts);
                     }
                 }
             }
             Bounds::Boxes(boxes) => {
-                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
                 let slabs = Slabs::new(ray);
                 for (object, bounds) in boxes {
                     counts.boxes(1);
                     if slabs.enter(bounds, nearest.reach).is_some() {
-                        self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
+                        try_all::<R, ANY>(self.parts.of_object(*object), &test, &mut nearest, counts);
                     }
                 }
             }
             Bounds::Extents(extents) => match pixel {
                 Some((col, row)) => {
-                    self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
+                    try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
                     for (object, seen) in extents.in_row(row) {
                         counts.boxes(1);
                         if seen.cols.contains(&col) && seen.rows.contains(&row) {
-                            self.try_all(self.parts.of_object(*object), ray, &mut nearest, counts);
+                            try_all::<R, ANY>(self.parts.of_object(*object), &test, &mut nearest, counts);
                         }
                     }
                 }
-                None => self.try_all(0..self.parts.count(), ray, &mut nearest, counts),
+                None => try_all::<R, ANY>(0..self.parts.count(), &test, &mut nearest, counts),
             },
             Bounds::Tree { tree, parts } => {
-                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
-                let hit =
-                    tree.closest(ray, nearest.span, counts, |at, span| self.parts.hit(parts[at], ray, span));
-                hit.inspect(|&(at, t)| nearest.put(parts[at], t));
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                if !(ANY && nearest.index.is_some()) {
+                    let test = |at: usize, span| test.hit(parts[at], span);
+                    let hit = match ANY {
+                        true => tree.first_found(ray, nearest.span, counts, test),
+                        false => tree.closest(ray, nearest.span, counts, test),
+                    };
+                    hit.inspect(|&(at, t)| nearest.put(parts[at], t));
+                }
             }
             Bounds::Wide { wide, parts } => {
-                self.try_all(self.unbounded.iter().copied(), ray, &mut nearest, counts);
-                let hit =
-                    wide.closest(ray, nearest.span, counts, |at, span| self.parts.hit(parts[at], ray, span));
-                hit.inspect(|&(at, t)| nearest.put(parts[at], t));
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                if !(ANY && nearest.index.is_some()) {
+                    let test = |at: usize, span| test.hit(parts[at], span);
+                    let hit = match ANY {
+                        true => wide.first_found(ray, nearest.span, counts, test),
+                        false => wide.closest(ray, nearest.span, counts, test),
+                    };
+                    hit.inspect(|&(at, t)| nearest.put(parts[at], t));
+                }
             }
         }
-        nearest.hit().map(|(part, lambda)| First { object: self.parts.object(part), lambda })
+        nearest.hit().map(|(part, lambda)| FirstPart { part, lambda })
     }
+}
 
-    /// The loop of the scene signature, over some parts.
-    #[inline]
-    fn try_all(
-        &self,
-        parts: impl IntoIterator<Item = usize>,
-        ray: &Ray3<R>,
-        nearest: &mut Nearest<R>,
-        counts: &mut impl Tally,
-    ) {
-        for part in parts {
-            counts.tests(1);
-            if let Some(t) = self.parts.hit(part, ray, nearest.span) {
-                counts.hit();
-                nearest.put(part, t);
-            }
+/// The loop of the scene signature, over some parts; `ANY`: until something is hit.
+#[inline]
+fn try_all<R: Real, const ANY: bool>(
+    parts: impl IntoIterator<Item = usize>,
+    test: &Ready<'_, R>,
+    nearest: &mut Nearest<R>,
+    counts: &mut impl Tally,
+) {
+    for part in parts {
+        if ANY && nearest.index.is_some() {
+            return;
+        }
+        counts.tests(1);
+        if let Some(t) = test.hit(part, nearest.span) {
+            counts.hit();
+            nearest.put(part, t);
         }
     }
 }

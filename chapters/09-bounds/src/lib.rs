@@ -15,7 +15,7 @@
 //! only wants to know what it answers.
 
 pub mod around;
-mod bounded;
+pub mod bounded;
 pub mod box3;
 pub mod counts;
 #[cfg(feature = "stage")]
@@ -35,10 +35,11 @@ pub mod slab;
 #[cfg(feature = "stage")]
 pub mod stage;
 pub mod tree;
+pub mod trial;
 pub mod wide;
 
 pub use around::sphere_around;
-pub use bounded::Bounded;
+pub use bounded::{Bounded, FirstPart, Query};
 pub use box3::Box3;
 pub use counts::{Counts, Tally, Uncounted};
 pub use method::Method;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use math::{Ray3, Real, Span, Vector};
-use signature::{Method, Scene, Shape};
+use signature::{Hit3, Method, Scene, Shape};
 
 use crate::Box3;
 
@@ -57,18 +57,40 @@ impl<'a, R: Real> Parts<'a, R> {
         self.all[part].object as usize
     }
 
+    /// The shape of a part's object.
+    #[inline(always)]
+    pub fn shape(&self, part: usize) -> &'a Shape<R> {
+        &self.scene.objects[self.object(part)].shape
+    }
+
+    /// The face that a part is, of a mesh: its place among the mesh's faces. `None` for an object that is no mesh.
+    pub fn face(&self, part: usize) -> Option<usize> {
+        let Part { object, face } = self.all[part];
+        matches!(self.scene.objects[object as usize].shape, Shape::Mesh(_)).then_some(face as usize)
+    }
+
     /// The t of the nearest hit of a part in `span`, by the robust method of its chapter, whose verdict is exact:
     /// so what a bound leaves out would not have been hit.
     #[inline]
     pub fn hit(&self, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<R> {
+        self.whole_hit(Method::Robust, part, ray, span).map(|hit| hit.t)
+    }
+
+    /// The same with the point and the normal, by either method; of a mesh the normal of the face. `None` for a miss.
+    #[inline]
+    pub fn whole_hit(&self, method: Method, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<Hit3<R>> {
         let Part { object, face } = self.all[part];
         match &self.scene.objects[object as usize].shape {
             Shape::Mesh(mesh) => {
-                let hit = triangle::robust(ray, &mesh.triangle(face as usize)).hit(span);
+                let triangle = mesh.triangle(face as usize);
+                let hit = match method {
+                    Method::Robust => triangle::robust(ray, &triangle).hit(span),
+                    Method::Notes => triangle::matrix(ray, &triangle).hit(span),
+                };
                 // a face without area is never hit
-                hit.ok().flatten().map(|hit| hit.t)
+                hit.ok().flatten()
             }
-            shape => shape.hit(Method::Robust, ray, span).map(|hit| hit.t),
+            shape => shape.hit(method, ray, span),
         }
     }
 

@@ -73,6 +73,19 @@ impl Tree {
         self.search::<R, true>(ray, span, counts, somewhere).is_some()
     }
 
+    /// The first object that is found to be hit in `span`, and its t; which one that is depends on the tree.
+    /// `test(index, span)` as for [`Tree::closest`].
+    #[inline]
+    pub fn first_found<R: Real>(
+        &self,
+        ray: &Ray3<R>,
+        span: Span<R>,
+        counts: &mut impl Tally,
+        test: impl FnMut(usize, Span<R>) -> Option<R>,
+    ) -> Option<(usize, R)> {
+        self.search::<R, true>(ray, span, counts, test)
+    }
+
     /// Tests what is in the boxes that the ray enters before the nearest hit so far; `ANY`: until something
     /// is hit.
     #[inline(always)]

@@ -86,6 +86,19 @@ impl Wide {
         self.search::<R, true>(ray, span, counts, somewhere).is_some()
     }
 
+    /// The first object that is found to be hit in `span`, and its t; which one that is depends on the tree.
+    /// `test(index, span)` as for [`Wide::closest`].
+    #[inline]
+    pub fn first_found<R: Real>(
+        &self,
+        ray: &Ray3<R>,
+        span: Span<R>,
+        counts: &mut impl Tally,
+        test: impl FnMut(usize, Span<R>) -> Option<R>,
+    ) -> Option<(usize, R)> {
+        self.search::<R, true>(ray, span, counts, test)
+    }
+
     #[inline(always)]
     fn search<R: Real, const ANY: bool>(
         &self,
