@@ -125,6 +125,7 @@ mod tests {
             seed,
             quick: true,
             scene: None,
+            threads: None,
         };
         volleys(&ask)
     }

@@ -262,6 +262,7 @@ mod tests {
                 seed: 3,
                 quick: true,
                 scene: None,
+                threads: None,
             };
             let measured = measure(&ask).unwrap().remove(0);
             assert_eq!(measured.entries.len(), 14);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use math::Real;
 
-use crate::{Canvas, Case, Error, Ids, Row, TradeAsk, Traded, Transcript};
+use crate::{Canvas, Case, Error, Flag, Ids, Row, TradeAsk, Traded, Transcript};
 
 /// A chapter as it is written: all that a new stage has to say.
 pub trait Chapter: Sync {
@@ -15,6 +15,14 @@ pub trait Chapter: Sync {
     ///
     /// [`Error::Request`] where the method cannot serve the request (`edges` with a single column).
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error>;
+
+    /// The precision to show in where the stage is left to choose, see [`Flag::Auto`]: what is asked for, unless a
+    /// chapter knows better.
+    ///
+    /// [`Error::Request`] where the request cannot be served at any precision, as by [`Chapter::show`].
+    fn precision(&self, ask: &Ask) -> Result<Precision, Error> {
+        Ok(ask.precision)
+    }
 
     /// Answers one row of a case file in R; an invalid case is a row too. A stage whose [`About::inputs`] are empty
     /// has no case files, and is never asked.
@@ -51,7 +59,9 @@ impl<C: Chapter> Stage for C {
     }
 
     fn show(&self, ask: &Ask) -> Result<Shown, Error> {
-        match ask.precision {
+        let precision = if ask.auto { self.precision(ask)? } else { ask.precision };
+        let ask = &Ask { precision, ..ask.clone() };
+        match precision {
             Precision::F32 => Chapter::show::<f32>(self, ask),
             Precision::F64 => Chapter::show::<f64>(self, ask),
         }
@@ -104,29 +114,10 @@ pub struct About {
 /// A column of words: its name, and the words that may stand in it.
 pub type Words = (&'static str, &'static [&'static str]);
 
-/// A flag that only some stages have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Flag {
-    /// `--scene FILE`: another scene than the chapter's own.
-    Scene,
-    /// `--ids FILE.png`: the ids of the objects as a picture of 16-bit grays.
-    Ids,
-}
-
-impl Flag {
-    /// The name of the flag.
-    pub fn name(self) -> &'static str {
-        match self {
-            Flag::Scene => "scene",
-            Flag::Ids => "ids",
-        }
-    }
-}
-
 /// One request: which method, at which precision, about which pixel of a picture of which size.
 ///
 /// What is asked when nothing is said, [`Ask::default`]: the stage's first method, f64, its own size, the worked example.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ask {
     /// The method's place in [`About::methods`].
     pub method: usize,
@@ -140,6 +131,21 @@ pub struct Ask {
     pub pixel: Option<(u32, u32)>,
     /// The scene file; `None`: the chapter's own scene.
     pub scene: Option<PathBuf>,
+    /// Whether the picture is encoded by the sRGB curve; else its bytes are linear.
+    pub srgb: bool,
+    /// N, for N × N rays a pixel, from 1 to 64; `None`: one.
+    pub samples: Option<u32>,
+    /// How many threads work, from 1 to 1024; `None`: as many as the machine has.
+    pub threads: Option<usize>,
+    /// How deep the recursion goes, from 1 to 1000; `None`: as deep as the scene says.
+    pub depth: Option<u32>,
+    /// By how much a channel of a pixel may differ for what is left out, in linear radiance; finite and not negative.
+    /// `None`: nothing is left out.
+    pub tolerance: Option<f64>,
+    /// Whether to say what the scene requires.
+    pub explain: bool,
+    /// Whether the stage was left to choose the precision; what it chose is then [`Ask::precision`].
+    pub auto: bool,
 }
 
 impl Ask {

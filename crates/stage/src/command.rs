@@ -9,7 +9,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 
 use crate::eval::eval;
-use crate::flags::{TRADE_PLOT, TRADE_SEED, command};
+use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command};
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
 use crate::whole_file::try_at;
@@ -54,6 +54,9 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
     let ask = ask(&about, matches);
     let format = matches.get_one::<String>("format").map_or("text", String::as_str);
     let done = match matches.subcommand() {
+        Some((verb @ ("trade" | "eval"), _)) if ask.auto => {
+            Err(Error::Request(format!("--precision {AUTO} is for show; {verb} takes f32 or f64")))
+        }
         Some(("trade", matches)) => trade(stage, matches, &ask, output),
         _ if format == "csv" => {
             let eval = if about.inputs.is_empty() { "" } else { ", and eval prints CSV in any case" };
@@ -64,7 +67,7 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
         }
         _ => {
             let out = matches.get_one::<PathBuf>("out");
-            let ids = own_file(&about, matches, Flag::Ids);
+            let ids: Option<PathBuf> = Flag::Ids.value(&about, matches);
             show(stage, &ask, out, ids.as_deref(), format == "json", output)
         }
     };
@@ -142,6 +145,7 @@ fn trade(stage: &dyn Stage, matches: &ArgMatches, ask: &Ask, output: &mut dyn Wr
         seed: matches.get_one("seed").copied().unwrap_or(TRADE_SEED),
         quick: matches.get_flag("quick"),
         scene: ask.scene.clone(),
+        threads: ask.threads,
     };
     let format = match matches.get_one::<String>("format").map(String::as_str) {
         Some("json") => TradeFormat::Json,
@@ -211,14 +215,15 @@ fn ask(about: &About, matches: &ArgMatches) -> Ask {
         precision,
         size: matches.get_one("size").copied(),
         pixel: matches.get_one("pixel").copied(),
-        scene: own_file(about, matches, Flag::Scene),
+        scene: Flag::Scene.value(about, matches),
+        srgb: Flag::Srgb.is_set(about, matches),
+        samples: Flag::Samples.value(about, matches),
+        threads: Flag::Threads.value(about, matches),
+        depth: Flag::Depth.value(about, matches),
+        tolerance: Flag::Tolerance.value(about, matches),
+        explain: Flag::Explain.is_set(about, matches),
+        auto: name("precision") == Some(AUTO),
     }
-}
-
-/// The file that a flag names which not every stage has.
-fn own_file(about: &About, matches: &ArgMatches, flag: Flag) -> Option<PathBuf> {
-    let has = about.flags.contains(&flag);
-    if has { matches.get_one(flag.name()).cloned() } else { None }
 }
 
 #[cfg(test)]

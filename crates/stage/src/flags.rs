@@ -5,7 +5,11 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, Command, value_parser};
 
-use crate::{About, Flag, Precision};
+use crate::{About, Precision};
+
+mod own;
+
+pub use own::Flag;
 
 /// The most pixels of a picture.
 const MOST_PIXELS: u64 = 1 << 28;
@@ -13,6 +17,8 @@ const MOST_PIXELS: u64 = 1 << 28;
 pub(crate) const TRADE_SEED: u64 = 20261123;
 /// The most cases a regime.
 const MOST_CASES: usize = 100_000_000;
+/// The word for a precision that the stage chooses.
+pub(crate) const AUTO: &str = "auto";
 /// The drawing of `trade` that every stage makes; its place is tried before anything is measured.
 pub(crate) const TRADE_PLOT: &str = "trade.svg";
 
@@ -52,12 +58,13 @@ pub(crate) fn command(about: &About) -> Command {
         .subcommands([show, trade])
         .subcommands((!inputs.is_empty()).then_some(eval))
         .args(common_flags(about).map(|flag| flag.global(true)))
-        .args(about.flags.iter().map(|flag| own_flag(*flag, name).global(true)))
+        .args(about.flags.iter().filter_map(|flag| Some(flag.arg(name)?.global(true))))
 }
 
 /// The flags of every verb, before it or after it. Their texts and defaults are those of `show`.
 fn common_flags(about: &About) -> [Arg; 6] {
     let About { name, methods, .. } = about;
+    let auto = about.flags.contains(&Flag::Auto);
     [
         Arg::new("method")
             .long("method")
@@ -68,9 +75,13 @@ fn common_flags(about: &About) -> [Arg; 6] {
         Arg::new("precision")
             .long("precision")
             .value_name("PRECISION")
-            .value_parser(Precision::ALL.map(Precision::name))
+            .value_parser(PossibleValuesParser::new(precisions().chain(auto.then_some(AUTO))))
             .default_value("f64")
-            .help("The floating-point numbers to compute in"),
+            .help(if auto {
+                "The floating-point numbers to compute in; auto: f32 where nothing visible is lost"
+            } else {
+                "The floating-point numbers to compute in"
+            }),
         Arg::new("pixel")
             .long("pixel")
             .value_name("COL,ROW")
@@ -100,24 +111,14 @@ fn common_flags(about: &About) -> [Arg; 6] {
     ]
 }
 
+/// The precisions by name.
+fn precisions() -> impl Iterator<Item = &'static str> {
+    Precision::ALL.into_iter().map(Precision::name)
+}
+
 /// The size of a picture that nobody asks for, in words.
 fn own_size(About { size, flags, .. }: &About) -> String {
     if flags.contains(&Flag::Scene) { "the scene's".to_string() } else { format!("{}x{}", size.0, size.1) }
-}
-
-/// A flag that not every stage has.
-fn own_flag(flag: Flag, stage: &str) -> Arg {
-    let arg = Arg::new(flag.name()).long(flag.name());
-    match flag {
-        Flag::Scene => arg
-            .value_name("FILE")
-            .value_parser(value_parser!(PathBuf))
-            .help(format!("A scene, in TOML or NFF [default: the scene of {stage}]")),
-        Flag::Ids => arg
-            .value_name("FILE.png")
-            .value_parser(parse_png)
-            .help("Write the ids of the objects too, in 16-bit gray; 0 where none is hit"),
-    }
 }
 
 /// The flags of `trade`: its own, and the common ones as they are meant there. A flag of the same name
@@ -136,7 +137,8 @@ fn trade_flags(about: &About) -> Vec<Arg> {
             .action(ArgAction::Append)
             .help("Measure in this regime only; may be given several times [default: all]"),
         all(method, "Measure this method only [default: all]"),
-        all(precision, "Measure at this precision only [default: both]"),
+        all(precision, "Measure at this precision only [default: both]")
+            .value_parser(PossibleValuesParser::new(precisions())),
         Arg::new("cases")
             .long("cases")
             .value_name("N")
@@ -156,7 +158,8 @@ fn trade_flags(about: &About) -> Vec<Arg> {
         size.hide(true),
     ];
     // what is written there is what show sees
-    flags.extend(about.flags.contains(&Flag::Ids).then(|| own_flag(Flag::Ids, about.name).hide(true)));
+    let for_show = about.flags.iter().filter(|flag| flag.is_for_show());
+    flags.extend(for_show.filter_map(|flag| Some(flag.arg(about.name)?.hide(true))));
     flags
 }
 
@@ -165,8 +168,11 @@ fn trade_notes(about: &About) -> String {
     let About { trade, regimes, .. } = about;
     let width = regimes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let regimes: String = regimes.iter().map(|(name, what)| format!("\n  {name:width$}  {what}")).collect();
-    let for_show =
-        if about.flags.contains(&Flag::Ids) { "--pixel, --size and --ids" } else { "--pixel and --size" };
+    let own = about.flags.iter().filter(|flag| flag.is_for_show()).map(|flag| flag.name());
+    let mut for_show: Vec<String> =
+        ["pixel", "size"].into_iter().chain(own).map(|name| format!("--{name}")).collect();
+    let last = for_show.pop().unwrap_or_default();
+    let for_show = format!("{} and {last}", for_show.join(", "));
     format!("{trade}\n{for_show} are for show.\n\nRegimes:{regimes}")
 }
 

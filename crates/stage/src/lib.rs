@@ -32,12 +32,13 @@ mod value;
 mod view;
 mod whole_file;
 
-pub use ask::{About, Ask, Chapter, Flag, Precision, Shown, Stage, Words};
+pub use ask::{About, Ask, Chapter, Precision, Shown, Stage, Words};
 pub use canvas::{Anchor, Canvas, Pen};
 pub use case::{Case, Row};
 pub use color::Color;
 pub use command::{finish, main, main_from, refuse, report};
 pub use error::Error;
+pub use flags::Flag;
 pub use ids::Ids;
 pub use pixels::each_pixel;
 pub use trade::{Drawing, Field, Record, Sheet, TradeAsk, Traded};

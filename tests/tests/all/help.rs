@@ -69,6 +69,7 @@ fn quick_run() -> TradeAsk {
         seed: 1,
         quick: true,
         scene: None,
+        threads: None,
     }
 }
 

@@ -8,7 +8,7 @@ fn shown(method: Method, precision: Precision, size: (u32, u32), pixel: Option<(
     let place = Method::ALL.iter().position(|&other| other == method).unwrap();
     let mut transcript = Transcript::new(
         &RayTriangle.about(),
-        &Ask { method: place, precision, size: Some(size), pixel, scene: None },
+        &Ask { method: place, precision, size: Some(size), pixel, ..Ask::default() },
     );
     match precision {
         Precision::F32 => explain(&mut transcript, method, &ray_of::<f32>(size, pixel).unwrap()),

@@ -1,5 +1,7 @@
 use std::sync::Mutex;
 
+mod own_flags;
+
 use super::*;
 use crate::{Case, Drawing, Row, Sheet, Shown, Traded};
 
@@ -84,6 +86,7 @@ fn what_trade_is_not_told_is_all() {
         seed: TRADE_SEED,
         quick: false,
         scene: None,
+        threads: None,
     };
     assert_eq!(asked, Some(all));
     std::fs::remove_dir_all(folder).unwrap();

@@ -1,0 +1,153 @@
+use std::sync::Mutex;
+
+use math::Real;
+
+use super::*;
+use crate::{Chapter, Flag};
+
+/// A chapter with every flag there is, which remembers what it was asked and in which numbers. Left to choose it takes
+/// f32.
+#[derive(Default)]
+struct Every {
+    shown: Mutex<Option<(&'static str, Ask)>>,
+    threads: Mutex<Option<usize>>,
+}
+
+const FLAGS: &[Flag] = &[
+    Flag::Scene,
+    Flag::Ids,
+    Flag::Srgb,
+    Flag::Samples,
+    Flag::Threads,
+    Flag::Depth,
+    Flag::Tolerance,
+    Flag::Explain,
+    Flag::Auto,
+];
+
+impl Chapter for Every {
+    fn about(&self) -> About {
+        About { flags: FLAGS, ..Fake::default().about() }
+    }
+
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        *self.shown.lock().unwrap() = Some((R::NAME, ask.clone()));
+        Err(Error::Failed("no picture".to_string()))
+    }
+
+    fn precision(&self, _: &Ask) -> Result<Precision, Error> {
+        Ok(Precision::F32)
+    }
+
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        *self.threads.lock().unwrap() = ask.threads;
+        Err(Error::Failed("no numbers".to_string()))
+    }
+}
+
+impl Every {
+    /// What it is asked to show, and in which numbers.
+    fn shown(words: &[&str]) -> (&'static str, Ask) {
+        let every = Every::default();
+        let error = every.serve(words).unwrap_err();
+        assert_eq!(error.to_string(), "no picture");
+        every.shown.into_inner().unwrap().unwrap()
+    }
+
+    fn serve(&self, words: &[&str]) -> Result<(), Error> {
+        let words = ["every"].iter().chain(words);
+        let matches = command(&Chapter::about(self)).try_get_matches_from(words).unwrap();
+        serve(self, &matches, &mut Vec::new())
+    }
+}
+
+#[test]
+fn the_command_line_of_every_flag_is_well_formed() {
+    command(&Chapter::about(&Every::default())).debug_assert();
+}
+
+#[test]
+fn nothing_is_asked_where_nothing_is_said() {
+    assert_eq!(Every::shown(&[]), ("f64", Ask::default()));
+}
+
+#[test]
+fn own_flags_stand_before_or_after_the_verb() {
+    let flags =
+        ["--srgb", "--samples", "3", "--threads", "2", "--depth", "1000", "--tolerance", "1e-3", "--explain"];
+    let want = Ask {
+        srgb: true,
+        samples: Some(3),
+        threads: Some(2),
+        depth: Some(1000),
+        tolerance: Some(0.001),
+        explain: true,
+        ..Ask::default()
+    };
+    assert_eq!(Every::shown(&[&flags[..], &["show"]].concat()).1, want);
+    assert_eq!(Every::shown(&[&["show"], &flags[..]].concat()).1, want);
+}
+
+#[test]
+fn a_wrong_value_is_told_what_would_be_right() {
+    for (flag, bad, right) in [
+        ("--samples", "65", "from 1 to 64"),
+        ("--threads", "0", "from 1 to 1024"),
+        ("--depth", "-1", "from 1 to 1000"),
+        ("--tolerance", "-0.5", "not negative"),
+    ] {
+        let words = ["every", flag, bad];
+        let error = command(&Chapter::about(&Every::default())).try_get_matches_from(words).unwrap_err();
+        assert_eq!(error.exit_code(), 2);
+        assert!(error.to_string().contains(right), "{error}");
+    }
+}
+
+#[test]
+fn auto_is_the_precision_that_the_chapter_chooses() {
+    let (numbers, ask) = Every::shown(&["--precision", "auto"]);
+    assert_eq!((numbers, ask.precision, ask.auto), ("f32", Precision::F32, true));
+    let (numbers, ask) = Every::shown(&["--precision", "auto", "show", "--precision", "f64"]);
+    assert_eq!((numbers, ask.precision, ask.auto), ("f64", Precision::F64, false), "the later one counts");
+}
+
+#[test]
+fn auto_is_for_show_and_only_where_a_chapter_can_choose() {
+    for verb in ["trade", "eval"] {
+        let error = Every::default().serve(&["--precision", "auto", verb]).unwrap_err();
+        assert_eq!(error.status(), 2);
+        assert!(error.to_string().contains("f32 or f64"), "{error}");
+    }
+    let every = command(&Chapter::about(&Every::default()));
+    let other = command(&Fake::default().about());
+    for (command, words) in
+        [(every, &["", "trade", "--precision", "auto"][..]), (other, &["", "--precision", "auto"])]
+    {
+        assert_eq!(command.try_get_matches_from(words).unwrap_err().exit_code(), 2);
+    }
+}
+
+#[test]
+fn trade_is_told_how_many_threads() {
+    let (folder, out) = folder("threads");
+    for words in [["--threads", "3", "trade"], ["trade", "--threads", "3"]] {
+        let every = Every::default();
+        let error = every.serve(&[&words[..], &["--out", &out]].concat()).unwrap_err();
+        assert_eq!(
+            (error.to_string().as_str(), every.threads.into_inner().unwrap()),
+            ("no numbers", Some(3))
+        );
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn the_help_of_trade_names_what_is_for_show() {
+    let help =
+        |about: &About| command(about).try_get_matches_from(["", "trade", "--help"]).unwrap_err().to_string();
+    let every = help(&Chapter::about(&Every::default()));
+    let named = "--pixel, --size, --ids, --srgb, --samples, --depth, --tolerance and --explain are for show.";
+    assert!(every.contains(named), "{every}");
+    assert!(every.contains("--threads <N>") && !every.contains("--samples <N>"), "{every}");
+    assert!(help(&Fake::default().about()).contains("\n--pixel and --size are for show."));
+}
