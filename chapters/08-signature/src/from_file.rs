@@ -9,6 +9,8 @@ use scene_file::Error;
 
 use crate::Scene;
 
+pub use object::transform;
+
 /// The scene of a file, for a picture of `size` pixels; `None`: of the size that the file says.
 ///
 /// An [`Error`] with its place where the camera has no frame, where a shape has no extent or a transform no inverse, and

@@ -34,6 +34,8 @@ pub trait Real:
     const INFINITY: Self;
     /// The smallest number above zero (a subnormal one).
     const SMALLEST: Self;
+    /// A sum of squares from here on has lost none of its digits to squares that vanish.
+    const SAFE_SQUARE: Self;
 
     /// The vector (x, y).
     fn vec2(x: Self, y: Self) -> Self::Vec2;
@@ -105,6 +107,20 @@ pub trait Vector<R>:
         scaled / scaled.length()
     }
 
+    /// a / ‖a‖, like [`Vector::normalized`], without its detour where no square overflows or vanishes.
+    #[inline(always)]
+    fn unit(self) -> Self
+    where
+        R: Real,
+    {
+        let squared = self.dot(self);
+        if R::SAFE_SQUARE <= squared && squared < R::INFINITY {
+            self / squared.sqrt()
+        } else {
+            self.normalized()
+        }
+    }
+
     /// No component is infinite or NaN.
     fn is_finite(self) -> bool
     where
@@ -147,6 +163,7 @@ macro_rules! real {
             const DIGITS: u32 = $scalar::MANTISSA_DIGITS;
             const INFINITY: Self = $scalar::INFINITY;
             const SMALLEST: Self = $scalar::from_bits(1);
+            const SAFE_SQUARE: Self = $scalar::MIN_POSITIVE / $scalar::EPSILON;
 
             fn vec2(x: Self, y: Self) -> $vec2 {
                 <$vec2>::new(x, y)

@@ -27,7 +27,8 @@ pub(super) fn object<R: Real>(file: &scene_file::Scene, it: &scene_file::Object)
     Ok(Object { id: it.id, shape: shape(&it.shape, by, &refuse)? })
 }
 
-fn transform(step: scene_file::Transform) -> Transform {
+/// A step of a transform.
+pub fn transform(step: scene_file::Transform) -> Transform {
     match step {
         scene_file::Transform::Scale(factors) => Transform::Scale(factors),
         scene_file::Transform::Rotate { axis, degrees } => Transform::Rotate { axis, degrees },

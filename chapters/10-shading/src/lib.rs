@@ -1,0 +1,36 @@
+//! How much light leaves a surface, as seen from a ray that hit it.
+//!
+//! CSC418 11.6 and 11.7: at the hit point p̄ with the normal n⃗ ([`mod@normal`]) the local model gives
+//!
+//! ```text
+//! E = r_a I_a C + Σ V [ r_d I C max(0, n⃗·s⃗) + r_s I max(0, c⃗·m⃗)^α ]
+//! ```
+//!
+//! term by term in [`mod@phong`], with the color C from a texture where there is one ([`mod@texture`]), and with V = 0
+//! for a light that p̄ does not see ([`mod@shadow`]).
+//!
+//! To ask whether p̄ sees the light is to send a second ray, and there the page has a gap. p̄ is rounded: it lies a
+//! little before its surface or behind it, and from behind the surface shades itself. [`mod@start`] has the remedies
+//! that people use and the one that follows from how large the error can be.
+
+#[cfg(feature = "stage")]
+pub mod from_file;
+pub mod landing;
+pub mod lighting;
+pub mod material;
+pub mod normal;
+pub mod phong;
+pub mod rgb;
+pub mod scene;
+pub mod shadow;
+pub mod start;
+pub mod texture;
+
+pub use landing::Landing;
+pub use lighting::{Fate, Lighting};
+pub use material::Material;
+pub use phong::{Phong, phong};
+pub use rgb::Rgb;
+pub use scene::{Light, Painted, Scene};
+pub use start::{Start, Starts};
+pub use texture::{Texture, Textured};

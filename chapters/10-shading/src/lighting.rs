@@ -1,0 +1,133 @@
+//! The local model at a point, all lights together.
+
+use bounds::{Bounded, FirstPart, Tally};
+use math::{Real, Vector};
+
+use crate::landing::Turned;
+use crate::shadow::blocker;
+use crate::{Landing, Phong, Rgb, Scene, Start, Starts, phong};
+
+/// A scene ready to be lit.
+#[derive(Clone, Copy, Debug)]
+pub struct Lighting<'a, R: Real> {
+    /// What there is.
+    pub scene: &'a Scene<R>,
+    /// The same, to be searched.
+    pub bounded: &'a Bounded<'a, R>,
+    /// Where the second rays start.
+    pub start: Start,
+    /// A ray is sent to a light even where r_d + r_s = 0 and it changes nothing.
+    pub idle_shadows: bool,
+}
+
+/// What becomes of one light at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fate<R: Real> {
+    /// n⃗·s⃗ ≤ 0, or the light is at the point: V = 0.
+    Behind,
+    /// r_d + r_s = 0: whether it is seen does not matter.
+    Unanswered,
+    /// Something stands in between: V = 0. Of several it is any.
+    Shadowed(FirstPart<R>),
+    /// V = 1.
+    Seen(Phong<R>),
+}
+
+/// A point to be shaded: where a ray landed, how it sees the surface, and what the surface is like there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<R: Real> {
+    /// Where the ray landed.
+    pub landing: Landing<R>,
+    /// The normals turned toward the viewer.
+    pub turned: Turned<R>,
+    /// c⃗, the unit vector to the viewer.
+    pub c: R::Vec3,
+    /// C, with the texture.
+    pub color: Rgb,
+    /// Where the rays start that leave it; `None` where nobody asked yet.
+    pub starts: Starts<R>,
+}
+
+impl<'a, R: Real> Lighting<'a, R> {
+    /// What a shading needs to know of a landing, by a ray with this direction.
+    ///
+    /// `None` where the point is too far away to be a number: then there is no way from it to a light, and only the ambient
+    /// term is left.
+    #[inline]
+    pub fn point(&self, direction: R::Vec3, landing: Landing<R>) -> Option<Point<R>> {
+        if !landing.point.is_finite() {
+            return None;
+        }
+        let parts = self.bounded.all_parts();
+        let shape = parts.shape(landing.part);
+        let face = parts.face(landing.part);
+        let starts = Starts::of(self.start, self.bounded.formulas(), shape, face, &landing);
+        Some(Point {
+            turned: landing.turned_toward(direction),
+            c: -direction.unit(),
+            color: self.color(&landing),
+            landing,
+            starts,
+        })
+    }
+
+    /// C at a landing: the material's color, times the texture where there is one.
+    #[inline(always)]
+    pub fn color(&self, landing: &Landing<R>) -> Rgb {
+        let painted = &self.scene.painted[landing.object];
+        let color = self.scene.materials[painted.material].color;
+        match &painted.texture {
+            None => color,
+            Some(texture) => {
+                let alpha_beta = landing.alpha_beta.map(|(alpha, beta)| (alpha.into(), beta.into()));
+                color * texture.at(landing.point.in_f64(), alpha_beta)
+            }
+        }
+    }
+
+    /// r_a I_a C
+    #[inline(always)]
+    pub fn ambient(&self, object: usize, color: Rgb) -> Rgb {
+        let material = &self.scene.materials[self.scene.painted[object].material];
+        self.scene.ambient * color * material.ambient
+    }
+
+    /// E without what comes from elsewhere: the ambient term and, for each light in turn, the diffuse and the specular one.
+    /// `told` is told what became of each light.
+    #[inline]
+    pub fn local(
+        &self,
+        point: &Point<R>,
+        counts: &mut impl Tally,
+        mut told: impl FnMut(usize, Fate<R>),
+    ) -> Rgb {
+        let mut e = self.ambient(point.landing.object, point.color);
+        for light in 0..self.scene.lights.len() {
+            let fate = self.fate(point, light, counts);
+            if let Fate::Seen(phong) = &fate {
+                e += phong.diffuse + phong.specular;
+            }
+            told(light, fate);
+        }
+        e
+    }
+
+    /// One light at a point.
+    #[inline(always)]
+    fn fate(&self, point: &Point<R>, light: usize, counts: &mut impl Tally) -> Fate<R> {
+        let light = &self.scene.lights[light];
+        let to_light = light.position - point.landing.point;
+        // n⃗·s⃗ > 0, without the length of s⃗
+        if !(point.turned.n.dot(to_light) > R::from(0.0)) {
+            return Fate::Behind;
+        }
+        let material = &self.scene.materials[self.scene.painted[point.landing.object].material];
+        if !material.answers_lights() && !self.idle_shadows {
+            return Fate::Unanswered;
+        }
+        if let Some(blocker) = blocker(self.bounded, &point.starts, light.position, to_light, counts) {
+            return Fate::Shadowed(blocker);
+        }
+        Fate::Seen(phong(material, point.color, light.intensity, point.turned.n, to_light, point.c))
+    }
+}

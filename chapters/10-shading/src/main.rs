@@ -1,0 +1,3 @@
+//! The stage `shading`: see the library.
+
+fn main() {}

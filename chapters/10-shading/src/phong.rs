@@ -1,0 +1,117 @@
+//! Phong's model, term by term (CSC418 11.7.1).
+
+use math::{Real, Vector, portable};
+
+use crate::{Material, Rgb};
+
+/// What one light adds at a point that sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phong<R: Real> {
+    /// s⃗ = (l̄ − p̄) / ‖l̄ − p̄‖: the page's s⃗ = l̄ − p̄ is no unit vector, and n⃗·s⃗ needs one (slip 25).
+    pub s: R::Vec3,
+    /// n⃗·s⃗
+    pub n_dot_s: R,
+    /// m⃗ = 2 (s⃗·n⃗) n⃗ − s⃗, where a mirror would send the light.
+    pub m: R::Vec3,
+    /// c⃗·m⃗
+    pub c_dot_m: R,
+    /// r_d I C max(0, n⃗·s⃗)
+    pub diffuse: Rgb,
+    /// r_s I max(0, c⃗·m⃗)^α
+    pub specular: Rgb,
+}
+
+/// The terms of a light with intensity `i` in the direction `to_light` = l̄ − p̄, which is not zero, on a surface with
+/// the unit normal `n` and the color `color`, seen from the unit direction `c`.
+#[inline(always)]
+pub fn phong<R: Real>(
+    material: &Material,
+    color: Rgb,
+    i: Rgb,
+    n: R::Vec3,
+    to_light: R::Vec3,
+    c: R::Vec3,
+) -> Phong<R> {
+    let s = to_light.unit();
+    let n_dot_s = n.dot(s);
+    let m = n * (n_dot_s + n_dot_s) - s;
+    let c_dot_m = c.dot(m);
+    let diffuse = i * color * (material.diffuse * at_least_zero(n_dot_s));
+    let specular = match material.specular > 0.0 {
+        true => i * (material.specular * power(at_least_zero(c_dot_m), material.shininess)),
+        false => Rgb::BLACK,
+    };
+    Phong { s, n_dot_s, m, c_dot_m, diffuse, specular }
+}
+
+/// max(0, x)
+#[inline(always)]
+fn at_least_zero<R: Real>(x: R) -> f64 {
+    let x: f64 = x.into();
+    if x > 0.0 { x } else { 0.0 }
+}
+
+/// x^α for 0 ≤ x and 0 ≤ α, with 0⁰ = 1. A whole α is a product of squares, which is faster; the others take a
+/// logarithm, the same one on every machine.
+#[inline(always)]
+pub fn power(x: f64, alpha: f64) -> f64 {
+    const LARGEST: f64 = 4096.0;
+    if alpha <= LARGEST && alpha == alpha.trunc() {
+        let (mut factor, mut product, mut bits) = (x, 1.0, alpha as u32);
+        while bits > 0 {
+            if bits & 1 == 1 {
+                product *= factor;
+            }
+            factor *= factor;
+            bits >>= 1;
+        }
+        return product;
+    }
+    if x == 0.0 { 0.0 } else { portable::pow(x, alpha) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    const MATERIAL: Material =
+        Material { color: Rgb::WHITE, ambient: 0.1, diffuse: 0.5, specular: 0.25, shininess: 2.0 };
+
+    /// By hand: n = (0, 1, 0), the light up and to the right at 3-4-5, the viewer straight above: n·s = 4/5,
+    /// m = (−3/5, 4/5, 0), c·m = 4/5.
+    #[test]
+    fn a_light_at_an_angle() {
+        let color = Rgb([1.0, 0.5, 0.0]);
+        let (to_light, n) = (DVec3::new(6.0, 8.0, 0.0), DVec3::Y);
+        let it = phong::<f64>(&MATERIAL, color, Rgb([2.0; 3]), n, to_light, DVec3::Y);
+        assert!((it.s - DVec3::new(0.6, 0.8, 0.0)).length() < 1e-15);
+        assert!((it.m - DVec3::new(-0.6, 0.8, 0.0)).length() < 1e-15);
+        // 0.5 · 2 · 0.8 = 0.8; 0.25 · 2 · 0.64 = 0.32
+        for (got, want) in it.diffuse.0.into_iter().zip([0.8, 0.4, 0.0]) {
+            assert!((got - want).abs() < 1e-15);
+        }
+        assert!((it.specular.0[0] - 0.32).abs() < 1e-15);
+        assert_eq!(it.specular.0[0], it.specular.0[2], "in the color of the light");
+    }
+
+    /// Slip 25: with s⃗ = l̄ − p̄ as printed a light ten times as far is ten times as bright.
+    #[test]
+    fn as_printed_a_far_light_is_brighter() {
+        let at = |far: f64| {
+            phong::<f64>(&MATERIAL, Rgb::WHITE, Rgb::WHITE, DVec3::Y, DVec3::new(3.0, 4.0, 0.0) * far, DVec3::Y)
+        };
+        assert_eq!(at(1.0).diffuse, at(16.0).diffuse);
+        let as_printed = |far: f64| DVec3::Y.dot(DVec3::new(3.0, 4.0, 0.0) * far);
+        assert_eq!(as_printed(16.0), 16.0 * as_printed(1.0));
+    }
+
+    /// Exact powers: 0.75³ = 27/64, 0.5^32 = 2⁻³². And x^2.5 = x² √x.
+    #[test]
+    fn powers() {
+        assert_eq!(power(0.75, 3.0), 27.0 / 64.0);
+        assert_eq!(power(0.5, 32.0), (2.0_f64).powi(-32));
+        assert_eq!((power(0.0, 0.0), power(0.5, 0.0), power(0.0, 0.5), power(1.0, 1e300)), (1.0, 1.0, 0.0, 1.0));
+        assert!((power(0.25, 2.5) - 1.0 / 32.0).abs() < 1e-17);
+    }
+}

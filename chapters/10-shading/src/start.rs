@@ -1,0 +1,131 @@
+//! Where a second ray starts.
+//!
+//! The page sends it from p̄ and takes what it meets at λ > 0 (0 ≤ λ in the text, slip 16). On paper p̄ is on the surface,
+//! and λ > 0 leaves the surface out. But p̄ is rounded: half of all points lie behind their surface, and from there it
+//! is met again, a moment later. The surface shades itself, in specks: acne. Step too far away from it, and what stands
+//! close by is stepped over: a light leak.
+//!
+//! - [`Start::None`]: the page. From p̄, λ > 0.
+//! - [`Start::Fixed`]: from p̄, and what is nearer than 1e-3 does not count. In a scene of that size nothing does; and in a
+//!   large one the error of p̄ is larger.
+//! - [`Start::Scaled`]: from p̄, and what is nearer than the rounding of its coordinates does not count. That
+//!   knows where p̄ is, not how p̄ came about, nor that a ray along the surface gets away from it slowly.
+//! - [`Start::Bound`]: p̄ is put back on the surface, as well as its numbers allow ([`mod@foot`]); how far it may still be
+//!   off follows from the shape. Twice that along the normal, to the side where the ray goes, and it starts outside.
+//! - [`Start::Exclude`]: from p̄, and what it is on does not count, however far. But a ray within a sphere has to meet it.
+
+pub mod foot;
+
+use bounds::Query;
+use math::{Ray3, Real, Span, Vector};
+use signature::{Method, Shape};
+
+use crate::Landing;
+
+/// The remedies, by the names that `--method` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// λ > 0.
+    None,
+    /// The customary 1e-3.
+    Fixed,
+    /// In units of the last digit of p̄.
+    Scaled,
+    /// By the error bound of the intersection.
+    Bound,
+    /// Not the same part again.
+    Exclude,
+}
+
+impl Start {
+    /// All, the default first, then from the simplest to the surest.
+    pub const ALL: [Start; 5] = [Start::Bound, Start::None, Start::Fixed, Start::Scaled, Start::Exclude];
+
+    /// The name that `--method` takes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Start::None => "none",
+            Start::Fixed => "fixed",
+            Start::Scaled => "scaled",
+            Start::Bound => "bound",
+            Start::Exclude => "exclude",
+        }
+    }
+}
+
+/// The customary offset, in units of the scene, whatever those are.
+pub const CUSTOMARY: f32 = 1e-3;
+
+/// Where the rays start that leave one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Starts<R: Real> {
+    /// Their origin if they leave to the side of the face's normal, and if they leave to the other.
+    pub origins: [R::Vec3; 2],
+    /// The face's normal.
+    pub face_normal: R::Vec3,
+    /// How much of their way does not count, in units of the scene.
+    pub skipped: R,
+    /// The part that does not count.
+    pub without: Option<usize>,
+}
+
+impl<R: Real> Starts<R> {
+    /// Where the rays start from a point on `shape`, which was met by the formulas of `formulas`.
+    #[inline]
+    pub fn of(start: Start, formulas: Method, shape: &Shape<R>, face: Option<usize>, landing: &Landing<R>) -> Starts<R> {
+        let p = landing.point;
+        let zero = R::from(0.0);
+        let from_p =
+            Starts { origins: [p, p], face_normal: landing.face_normal, skipped: zero, without: None };
+        match start {
+            Start::None => from_p,
+            Start::Fixed => Starts { skipped: R::from(CUSTOMARY), ..from_p },
+            Start::Scaled => Starts { skipped: last_digits(p), ..from_p },
+            Start::Exclude => Starts { without: Some(landing.part), ..from_p },
+            Start::Bound => Starts { origins: foot::of(formulas, shape, face, landing).origins(), ..from_p },
+        }
+    }
+
+    /// A ray in some direction, not zero, for as far as it goes.
+    #[inline(always)]
+    pub fn toward(&self, direction: R::Vec3) -> Query<R> {
+        let ray = Ray3::new(self.origin(direction), direction);
+        Query { ray, span: Span::new(self.first_t(direction), R::INFINITY), without: self.without }
+    }
+
+    /// A ray to a light, which is at λ = 1; `to_light` is the direction in which to leave.
+    ///
+    /// The light itself does not count, nor a surface that it lies on: λ ends below 1 by what λ may be off there, which
+    /// is [`bounds::Reach::ULPS`] units of its last digit, the rounding of the direction among them.
+    #[inline(always)]
+    pub fn to(&self, light: R::Vec3, to_light: R::Vec3) -> Query<R> {
+        let origin = self.origin(to_light);
+        let direction = light - origin;
+        let digit = 1.0 / (1u64 << R::DIGITS) as f64;
+        let before_the_light = R::round_from(1.0 - bounds::Reach::ULPS * digit);
+        let span = Span::new(self.first_t(direction), before_the_light);
+        Query { ray: Ray3::new(origin, direction), span, without: self.without }
+    }
+
+    #[inline(always)]
+    fn origin(&self, direction: R::Vec3) -> R::Vec3 {
+        self.origins[usize::from(self.face_normal.dot(direction) < R::from(0.0))]
+    }
+
+    /// The smallest λ that counts: above 0 in any case.
+    #[inline(always)]
+    fn first_t(&self, direction: R::Vec3) -> R {
+        if self.skipped > R::from(0.0) {
+            let t = self.skipped / direction.length();
+            if t > R::SMALLEST { return t }
+        }
+        R::SMALLEST
+    }
+}
+
+/// 2 ε (|x| + |y| + |z|), a unit of the last digit of each coordinate twice: once for p̄, once for the ray from it.
+fn last_digits<R: Real>(p: R::Vec3) -> R {
+    let digit = 1.0 / (1u64 << (R::DIGITS - 1)) as f64;
+    let size: f64 = p.in_f64::<3>().into_iter().map(f64::abs).sum();
+    R::round_from(2.0 * digit * size)
+}
