@@ -1,10 +1,9 @@
 //! Everything that is measured of a subject: regime by regime, every method at every precision.
 
 use math::Real;
-use stage::{Error, Precision, TradeAsk};
+use stage::{Error, Precision, Progress, TradeAsk};
 
 use crate::effort::{Effort, asked_for};
-use crate::progress::Progress;
 use crate::speed::{Nanoseconds, time};
 use crate::threads::on_all_threads;
 use crate::{Accuracy, Answer, Judgment, Pass, Regime, Runner, Subject, Truth, pareto};
