@@ -69,8 +69,14 @@ impl<R: Real> Scene<R> {
     /// (slip 22). The page's λ is ours less 1.
     #[inline]
     pub fn ray(&self, pixel: (u32, u32)) -> Ray3<R> {
+        self.ray_within(pixel, (R::from(0.5), R::from(0.5)))
+    }
+
+    /// The same through another point of the pixel: see [`Grid::point_within`].
+    #[inline]
+    pub fn ray_within(&self, pixel: (u32, u32), within: (R, R)) -> Ray3<R> {
         // A scene whose grid has no such point is refused when it is made.
-        let point = self.grid.point(&self.camera.window, self.size, pixel);
+        let point = self.grid.point_within(&self.camera.window, self.size, pixel, within);
         self.camera.ray(point.unwrap_or_else(|_| self.camera.window.center()))
     }
 }

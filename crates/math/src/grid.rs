@@ -53,29 +53,54 @@ impl Grid {
         size: (u32, u32),
         pixel: (u32, u32),
     ) -> Result<(R, R), NoGrid> {
+        self.point_within(window, size, pixel, (R::from(0.5), R::from(0.5)))
+    }
+
+    /// The same for one of several samples of a pixel: `within` is how far across the pixel and down it the sample lies,
+    /// from 0 to 1. At (½, ½) it is the pixel's own point, to the last bit; that of `lattice` and `edges` is a corner, and the
+    /// samples lie about it.
+    pub fn point_within<R: Real>(
+        self,
+        window: &Window<R>,
+        size: (u32, u32),
+        pixel: (u32, u32),
+        within: (R, R),
+    ) -> Result<(R, R), NoGrid> {
+        let [col, row] = [pixel.0, pixel.1].map(|place| R::round_from(f64::from(place)));
+        let half = R::from(0.5);
+        let about = (col + (within.0 - half), row + (within.1 - half));
         match self {
-            Grid::Centers => Ok(centers(window, size, pixel)),
-            Grid::Lattice => Ok(lattice(window, size, pixel)),
-            Grid::Edges => edges(window, size, pixel),
+            Grid::Centers => Ok(centers_at(window, size, (col + within.0, row + within.1))),
+            Grid::Lattice => Ok(lattice_at(window, size, about)),
+            Grid::Edges => edges_at(window, size, about),
         }
     }
 }
 
 /// House's grid: p_x = left + (j + 0.5) w/N, and the row likewise from the top.
 pub fn centers<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32)) -> (R, R) {
+    let ([col, row], half): ([R; 2], R) = (numbers(pixel), R::from(0.5));
+    centers_at(window, size, (col + half, row + half))
+}
+
+fn centers_at<R: Real>(window: &Window<R>, size: (u32, u32), (col, row): (R, R)) -> (R, R) {
     let Window { left, right, bottom, top } = *window;
-    let [width, height, col, row]: [R; 4] = numbers(size, pixel);
-    let half = R::from(0.5);
-    let x = left + (col + half) * (right - left) / width;
-    let y = top - (row + half) * (top - bottom) / height;
+    let [width, height]: [R; 2] = numbers(size);
+    let x = left + col * (right - left) / width;
+    let y = top - row * (top - bottom) / height;
     (x, y)
 }
 
 /// Gambetta's grid: V_x = C_x V_w/C_w with canvas coordinates C_x = col − C_w/2, C_y = C_h/2 − row,
 /// about the center of the window. The halves are real quotients.
 pub fn lattice<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32)) -> (R, R) {
+    let [col, row] = numbers(pixel);
+    lattice_at(window, size, (col, row))
+}
+
+fn lattice_at<R: Real>(window: &Window<R>, size: (u32, u32), (col, row): (R, R)) -> (R, R) {
     let Window { left, right, bottom, top } = *window;
-    let [width, height, col, row]: [R; 4] = numbers(size, pixel);
+    let [width, height]: [R; 2] = numbers(size);
     let half = R::from(0.5);
     let (c_x, c_y) = (col - width * half, height * half - row);
     let (center_x, center_y) = window.center();
@@ -86,24 +111,41 @@ pub fn lattice<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32))
 
 /// CSC418's grid: w_l + i Δu with Δu = (w_r − w_l)/(n_c − 1), w_t + j Δv with Δv = (w_b − w_t)/(n_r − 1).
 pub fn edges<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32)) -> Result<(R, R), NoGrid> {
+    let [col, row] = numbers(pixel);
+    edges_at(window, size, (col, row))
+}
+
+fn edges_at<R: Real>(window: &Window<R>, size: (u32, u32), (col, row): (R, R)) -> Result<(R, R), NoGrid> {
     let Window { left, right, bottom, top } = *window;
-    let [width, height, col, row]: [R; 4] = numbers(size, pixel);
+    let [width, height]: [R; 2] = numbers(size);
+    let one = R::from(1.0);
     if size.0 < 2 || size.1 < 2 {
         return Err(NoGrid);
     }
-    let one = R::from(1.0);
     let x = left + col * (right - left) / (width - one);
     let y = top - row * (top - bottom) / (height - one);
     Ok((x, y))
 }
 
-fn numbers<R: Real>(size: (u32, u32), pixel: (u32, u32)) -> [R; 4] {
-    [size.0, size.1, pixel.0, pixel.1].map(|n| R::round_from(f64::from(n)))
+fn numbers<R: Real>((x, y): (u32, u32)) -> [R; 2] {
+    [x, y].map(|n| R::round_from(f64::from(n)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// By hand: two samples across a pixel 1 wide lie at a quarter and at three quarters of it, or a quarter beside its point.
+    #[test]
+    fn samples_lie_across_the_pixel_or_about_its_point() {
+        let within = |grid: Grid, x| grid.point_within(&HOUSE, (5, 3), (1, 1), (x, 0.5)).unwrap().0;
+        assert_eq!([within(Grid::Centers, 0.25), within(Grid::Centers, 0.75)], [-1.25, -0.75]);
+        assert_eq!([within(Grid::Lattice, 0.25), within(Grid::Lattice, 0.75)], [-1.75, -1.25]);
+        for grid in Grid::ALL {
+            let point = grid.point(&HOUSE, (5, 3), (1, 1));
+            assert_eq!(grid.point_within(&HOUSE, (5, 3), (1, 1), (0.5, 0.5)), point);
+        }
+    }
 
     /// House's picture, M = 3 rows by N = 5 columns, with pixels of side 1: w = 5, h = 3.
     const HOUSE: Window<f64> = Window { left: -2.5, right: 2.5, bottom: -1.5, top: 1.5 };

@@ -1,0 +1,39 @@
+//! Whitted's recursive ray tracer (CSC418 11.7).
+//!
+//! ```text
+//! rayTrace(ā, b⃗, depth):  what the ray hits first ([`ray_trace`]'s find_first_hit), then rtShade there
+//! rtShade(OBJ, p̄, n⃗, d⃗_e, depth):  the local model of chapter 10, and if depth < maxDepth
+//!     a ray in the mirror direction ([`mod@mirror`]) and one in the refracted direction ([`mod@refract`])
+//! ```
+//!
+//! [`Tracer`] is those three functions of the page, as they stand there. What they tell while they run goes to a
+//! [`Witness`]: nobody, who costs nothing; the [`Counts`]; or the [`tree`] of all rays of one pixel, down to the last term.
+//!
+//! Only what the scene requires is modeled: see [`mod@requirements`]. And what can change nothing that anybody wants to know
+//! may be left out: see [`mod@tolerance`].
+
+pub mod counts;
+#[cfg(feature = "stage")]
+pub mod from_file;
+pub mod media;
+pub mod mirror;
+pub mod ray_trace;
+pub mod refract;
+#[cfg(feature = "stage")]
+pub mod render;
+pub mod requirements;
+pub mod scene;
+pub mod tolerance;
+pub mod tree;
+pub mod witness;
+
+pub use counts::Counts;
+pub use media::Media;
+pub use mirror::{Mirror, mirror};
+pub use ray_trace::{Path, Tracer};
+pub use refract::{Refraction, critical_angle, refract};
+pub use requirements::Requirements;
+pub use scene::{Optics, Scene};
+pub use tolerance::Tolerance;
+pub use tree::Tree;
+pub use witness::{Kind, Sent, Witness};

@@ -1,0 +1,98 @@
+//! The media that a ray is in.
+//!
+//! "Need to keep track of the speed of light in the current medium" (CSC418 11.7.3). One number would do for one solid. For
+//! solids in solids it takes a stack: entering a solid pushes it, leaving takes it out, wherever it lies (two that overlap
+//! are left in another order than they were entered). The medium is that of the topmost, and air where there is none.
+
+/// The solids that a ray is in, the latest entered on top. By their places in the scene.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Media {
+    solids: Vec<usize>,
+}
+
+/// What to do to put the stack back as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undo {
+    /// Take the topmost off.
+    Entered,
+    /// Put the solid back in this place.
+    Left(usize, usize),
+    /// Nothing: the solid that was left was not in the stack.
+    Nothing,
+}
+
+impl Media {
+    /// A ray in these solids, the first the outermost.
+    pub fn of(solids: Vec<usize>) -> Media {
+        Media { solids }
+    }
+
+    /// The solid whose medium it is; `None` for the air outside.
+    #[inline(always)]
+    pub fn top(&self) -> Option<usize> {
+        self.solids.last().copied()
+    }
+
+    /// The solids, the outermost first.
+    pub fn solids(&self) -> &[usize] {
+        &self.solids
+    }
+
+    /// Goes through the surface of a solid, into it or out of it.
+    #[inline(always)]
+    pub fn pass(&mut self, solid: usize, enters: bool) -> Undo {
+        if enters {
+            self.solids.push(solid);
+            return Undo::Entered;
+        }
+        match self.solids.iter().rposition(|&it| it == solid) {
+            Some(place) => {
+                self.solids.remove(place);
+                Undo::Left(place, solid)
+            }
+            None => Undo::Nothing,
+        }
+    }
+
+    /// Takes the latest [`Media::pass`] back.
+    #[inline(always)]
+    pub fn undo(&mut self, undo: Undo) {
+        match undo {
+            Undo::Entered => {
+                self.solids.pop();
+            }
+            Undo::Left(place, solid) => self.solids.insert(place, solid),
+            Undo::Nothing => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: into 1, into 2, out of 1 (they overlap), out of 2.
+    #[test]
+    fn overlapping_solids_are_left_in_any_order() {
+        let mut media = Media::default();
+        let mut tops = vec![media.top()];
+        let passes = [(1, true), (2, true), (1, false), (2, false)].map(|(solid, enters)| {
+            let undo = media.pass(solid, enters);
+            tops.push(media.top());
+            undo
+        });
+        assert_eq!(tops, [None, Some(1), Some(2), Some(2), None]);
+        for undo in passes.into_iter().rev() {
+            media.undo(undo);
+        }
+        assert_eq!(media, Media::default());
+    }
+
+    #[test]
+    fn leaving_what_was_never_entered_changes_nothing() {
+        let mut media = Media::of(vec![3]);
+        assert_eq!(media.pass(7, false), Undo::Nothing);
+        media.undo(Undo::Nothing);
+        assert_eq!(media.solids(), [3]);
+    }
+}

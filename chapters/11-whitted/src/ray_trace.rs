@@ -1,0 +1,259 @@
+//! The page's rayTrace, findFirstHit and rtShade.
+
+use bounds::{Bounded, Query};
+use math::{Ray3, Real, Span, Vector};
+use shading::lighting::Point;
+use shading::{Fate, Landing, Lighting, Rgb, Start};
+
+use crate::media::Undo;
+use crate::{Kind, Media, Requirements, Scene, Sent, Tolerance, Witness, mirror, refract};
+
+/// The tracer: a scene, how to search it, and how much of it to model.
+#[derive(Clone, Debug)]
+pub struct Tracer<'a, R: Real> {
+    scene: &'a Scene<R>,
+    lighting: Lighting<'a, R>,
+    /// Whether the media have to be known.
+    media: bool,
+    /// The solids that hold the eye; none where the media need not be known.
+    around_eye: Vec<usize>,
+    tolerance: Option<Tolerance>,
+}
+
+/// What a ray carries along: the media it is in, and with what weight it counts.
+#[derive(Clone, Debug, Default)]
+pub struct Path {
+    media: Media,
+    /// The product of the coefficients on the way from the eye.
+    weight: f64,
+    /// How much may still be left out of this pixel.
+    left: f64,
+}
+
+impl<'a, R: Real> Tracer<'a, R> {
+    /// A tracer that models what `requirements` says. With a tolerance it leaves out what changes less.
+    pub fn new(
+        scene: &'a Scene<R>,
+        bounded: &'a Bounded<'a, R>,
+        requirements: &Requirements,
+        tolerance: Option<Tolerance>,
+    ) -> Tracer<'a, R> {
+        let lighting = Lighting {
+            scene: &scene.lit,
+            bounded,
+            start: Start::Bound,
+            idle_shadows: requirements.idle_shadows,
+        };
+        let around_eye = if requirements.media { around_eye(scene) } else { Vec::new() };
+        Tracer { scene, lighting, media: requirements.media, around_eye, tolerance }
+    }
+
+    /// The page's maxDepth.
+    pub fn max_depth(&self) -> u32 {
+        self.scene.max_depth
+    }
+
+    /// What a pixel sees: the mean of `samples` × `samples` rays across it.
+    pub fn pixel(&self, pixel: (u32, u32), samples: u32, path: &mut Path, witness: &mut impl Witness<R>) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        for (j, i) in (0..samples).flat_map(|j| (0..samples).map(move |i| (j, i))) {
+            let across = |place: u32| R::round_from((f64::from(place) + 0.5) / f64::from(samples));
+            sum += self.eye_ray(&self.ray(pixel, (across(i), across(j))), path, witness);
+        }
+        let count = f64::from(samples) * f64::from(samples);
+        Rgb(sum.0.map(|channel| channel / count))
+    }
+
+    /// The ray from the eye through a point of a pixel.
+    #[inline(always)]
+    pub fn ray(&self, pixel: (u32, u32), within: (R, R)) -> Ray3<R> {
+        self.scene.lit.geometry.ray_within(pixel, within)
+    }
+
+    /// The page's rayTrace(p̄_ij, d⃗_ij, 1). An eye ray may hit at λ = 0.
+    #[inline]
+    pub fn eye_ray(&self, ray: &Ray3<R>, path: &mut Path, witness: &mut impl Witness<R>) -> Rgb {
+        path.weight = 1.0;
+        path.left = self.tolerance.as_ref().map_or(0.0, Tolerance::of_a_pixel);
+        if !self.around_eye.is_empty() {
+            path.media = Media::of(entered_from_behind(self.scene, &self.around_eye, ray));
+        }
+        let query = Query { ray: *ray, span: Span::ahead(), without: None };
+        self.ray_trace(&query, Kind::Eye, 1.0, 1, path, witness)
+    }
+
+    /// rayTrace(ā, b⃗, depth): what the ray sees.
+    #[inline]
+    fn ray_trace<W: Witness<R>>(
+        &self,
+        query: &Query<R>,
+        kind: Kind,
+        coefficient: f64,
+        depth: u32,
+        path: &mut Path,
+        witness: &mut W,
+    ) -> Rgb {
+        witness.sent(&Sent { kind, depth, ray: query.ray, coefficient });
+        let e = match self.find_first_hit(query, witness) {
+            Some(landing) => self.rt_shade(query.ray.direction, landing, depth, path, witness),
+            None => self.scene.lit.background,
+        };
+        witness.ends(e);
+        e
+    }
+
+    /// findFirstHit(ā, b⃗): the object, λ, p̄ and n⃗.
+    #[inline]
+    fn find_first_hit<W: Witness<R>>(&self, query: &Query<R>, witness: &mut W) -> Option<Landing<R>> {
+        let bounded = self.lighting.bounded;
+        let first = bounded.first_part(query, witness)?;
+        let object = bounded.all_parts().object(first.part);
+        let with_place = self.scene.lit.painted[object].texture.is_some();
+        Landing::of(bounded, &query.ray, first, with_place)
+    }
+
+    /// rtShade(OBJ, p̄, n⃗, d⃗_e, depth): the local component and, before maxDepth, the global one.
+    fn rt_shade<W: Witness<R>>(
+        &self,
+        direction: R::Vec3,
+        landing: Landing<R>,
+        depth: u32,
+        path: &mut Path,
+        witness: &mut W,
+    ) -> Rgb {
+        let (object, lambda) = (landing.object, landing.lambda);
+        let Some(point) = self.lighting.point(direction, landing) else {
+            witness.landed(object, lambda, None);
+            let ambient = self.lighting.ambient(object, self.lighting.color(&landing));
+            witness.local(ambient);
+            return ambient;
+        };
+        witness.landed(object, lambda, Some(&point));
+        let mut e = self.local(&point, witness);
+        witness.local(e);
+        if depth < self.scene.max_depth {
+            let optics = self.scene.optics_of(object);
+            if optics.mirror > 0.0 {
+                // m⃗_s = −2 (d⃗·n⃗) n⃗ + d⃗
+                let m_s = mirror::<R>(-point.c, point.turned.n).m_s;
+                e += self.branch(&point, m_s, Kind::Mirror, optics.mirror, depth, path, witness);
+            }
+            if optics.transmit > 0.0 {
+                e += self.refracted(&point, optics.transmit, depth, path, witness);
+            }
+        }
+        e
+    }
+
+    /// I_l: the local model of chapter 10.
+    #[inline]
+    fn local<W: Witness<R>>(&self, point: &Point<R>, witness: &mut W) -> Rgb {
+        let (mut shadow_rays, mut fates) = (0, Vec::new());
+        let e = self.lighting.local(point, witness, |light, fate| {
+            shadow_rays += u64::from(matches!(fate, Fate::Shadowed(_) | Fate::Seen(_)));
+            if W::WANTS_LIGHTS {
+                fates.push((light, fate));
+            }
+        });
+        witness.shadow_rays(shadow_rays);
+        for (light, fate) in &fates {
+            witness.light(*light, fate);
+        }
+        e
+    }
+
+    /// What comes through the surface: bent where it is a solid's, straight on where it is not.
+    #[inline]
+    fn refracted<W: Witness<R>>(
+        &self,
+        point: &Point<R>,
+        transmit: f64,
+        depth: u32,
+        path: &mut Path,
+        witness: &mut W,
+    ) -> Rgb {
+        let object = point.landing.object;
+        let is_solid = self.scene.is_solid(object);
+        let enters = point.turned.from_outside;
+        let before = self.index(path.media.top());
+        let undo = if self.media && is_solid { path.media.pass(object, enters) } else { Undo::Nothing };
+        let after = self.index(path.media.top());
+        let refraction = refract::<R>(-point.c, point.turned.n, before, after);
+        witness.refraction(&refraction, is_solid.then_some(enters));
+        let e = match refraction.t {
+            Some(t) => self.branch(point, t, Kind::Refracted, transmit, depth, path, witness),
+            // total internal reflection: the mirror term stays as it is, and nothing is refracted
+            None => Rgb::BLACK,
+        };
+        path.media.undo(undo);
+        e
+    }
+
+    /// The index of refraction of a solid's inside, and 1 outside of all.
+    #[inline(always)]
+    fn index(&self, solid: Option<usize>) -> f64 {
+        solid.map_or(1.0, |solid| self.scene.optics_of(solid).ior)
+    }
+
+    /// rayTrace(p̄, …, depth + 1), scaled by its coefficient; or nothing, where all that it could bring is within what may be
+    /// left out.
+    #[inline]
+    #[expect(clippy::too_many_arguments, reason = "what the page passes, and where to, why and to whom it is told")]
+    fn branch<W: Witness<R>>(
+        &self,
+        point: &Point<R>,
+        direction: R::Vec3,
+        kind: Kind,
+        coefficient: f64,
+        depth: u32,
+        path: &mut Path,
+        witness: &mut W,
+    ) -> Rgb {
+        // a direction without a length comes of numbers that overflowed
+        if direction.is_zero() || !direction.is_finite() {
+            return Rgb::BLACK;
+        }
+        let weight = path.weight;
+        if let Some(tolerance) = &self.tolerance {
+            let at_most = tolerance.at_most(weight * coefficient, depth + 1);
+            if at_most <= path.left {
+                path.left -= at_most;
+                witness.left_out(kind, at_most);
+                return Rgb::BLACK;
+            }
+            path.weight = weight * coefficient;
+        }
+        let query = point.starts.toward(direction);
+        let e = self.ray_trace(&query, kind, coefficient, depth + 1, path, witness) * coefficient;
+        path.weight = weight;
+        e
+    }
+}
+
+/// The solids that hold the eye: from where both ways along a line leave them.
+fn around_eye<R: Real>(scene: &Scene<R>) -> Vec<usize> {
+    let geometry = &scene.lit.geometry;
+    let ray = geometry.ray((0, 0));
+    let holds = |object: &usize| {
+        let leaves = |ray: &Ray3<R>| {
+            let hit = geometry.objects[*object].shape.hit(signature::Method::Robust, ray, Span::ahead());
+            hit.is_some_and(|hit| hit.t > R::from(0.0) && hit.normal.dot(ray.direction) > R::from(0.0))
+        };
+        scene.is_solid(*object) && leaves(&ray) && leaves(&Ray3::new(ray.origin, -ray.direction))
+    };
+    (0..geometry.objects.len()).filter(holds).collect()
+}
+
+/// Those solids in the order in which the eye ray's line, followed from behind, entered them: the farthest behind first, on a
+/// tie the earlier one.
+fn entered_from_behind<R: Real>(scene: &Scene<R>, solids: &[usize], ray: &Ray3<R>) -> Vec<usize> {
+    let back = Ray3::new(ray.origin, -ray.direction);
+    let far = |solid: usize| {
+        let shape = &scene.lit.geometry.objects[solid].shape;
+        let hit = shape.hit(signature::Method::Robust, &back, Span::ahead());
+        hit.map_or(0.0, |hit| hit.t.into())
+    };
+    let mut entered: Vec<(f64, usize)> = solids.iter().map(|&solid| (far(solid), solid)).collect();
+    entered.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    entered.into_iter().map(|(_, solid)| solid).collect()
+}

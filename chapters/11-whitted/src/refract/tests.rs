@@ -1,0 +1,70 @@
+use super::*;
+use glam::DVec3;
+
+/// A way down at θ1 degrees, in the x-y plane.
+fn down(theta1: f64) -> DVec3 {
+    let theta1 = theta1.to_radians();
+    DVec3::new(theta1.sin(), -theta1.cos(), 0.0)
+}
+
+/// The page's two indices: asin(1/1.33) = 48.7535°, asin(1/1.8) = 33.7490°.
+#[test]
+fn the_critical_angles_of_the_page() {
+    for (n, theta_c) in [(1.33, 48.75), (1.8, 33.75)] {
+        let computed = critical_angle(n, 1.0).unwrap();
+        assert!((computed - theta_c).abs() < 0.005, "{computed}");
+        // a hundredth of a degree before it light gets out, along the surface; a hundredth after it does not
+        let out = |theta1| refract::<f64>(down(theta1), DVec3::Y, n, 1.0);
+        assert!(out(computed - 0.01).theta2().unwrap() > 88.0);
+        assert_eq!(out(computed + 0.01).t, None);
+    }
+    assert_eq!(critical_angle(1.0, 1.33), None);
+    assert_eq!(critical_angle(1.0, 1.0), None);
+}
+
+/// Slip 14: "if c2 < c1, light bends away from the normal (e.g. water to air)" has c2 > c1 in mind.
+#[test]
+fn toward_the_normal_into_the_slower_medium_and_away_out_of_it() {
+    for theta1 in [1.0, 10.0, 30.0, 45.0] {
+        let into = refract::<f64>(down(theta1), DVec3::Y, 1.0, 1.33);
+        let out = refract::<f64>(down(theta1), DVec3::Y, 1.33, 1.0);
+        assert!(into.theta2().unwrap() < theta1);
+        assert!(out.theta2().unwrap() > theta1);
+        // Snell's law itself, n1 sin θ1 = n2 sin θ2
+        for it in [into, out] {
+            let t = it.t.unwrap();
+            assert!((it.n1 * down(theta1).x - it.n2 * t.x).abs() < 4.0 * f64::EPSILON);
+            assert!((t.length() - 1.0).abs() < 4.0 * f64::EPSILON);
+            assert!(t.y < 0.0, "on the other side");
+        }
+    }
+}
+
+#[test]
+fn straight_on_it_passes_unbent() {
+    for (n1, n2) in [(1.0, 1.8), (1.8, 1.0)] {
+        for n in [DVec3::X, DVec3::new(0.6, 0.0, 0.8)] {
+            assert_eq!(refract::<f64>(-n, n, n1, n2).t, Some(-n));
+        }
+    }
+    // and at any angle where nothing changes
+    let d = down(37.0);
+    assert_eq!(refract::<f64>(d, DVec3::Y, 1.5, 1.5).t, Some(d));
+}
+
+/// t⃗ · (d⃗ × n⃗) = 0, in f64 and in f32, for directions from all sides.
+#[test]
+fn it_stays_in_the_plane_of_the_direction_and_the_normal() {
+    let n = DVec3::new(1.0, -2.0, 0.5).normalize();
+    for step in 0..500 {
+        let angle = f64::from(step) * 0.7;
+        let d = DVec3::new(angle.cos(), angle.sin(), (0.3 * angle).cos()).normalize();
+        let n = if d.dot(n) > 0.0 { -n } else { n };
+        for (n1, n2) in [(1.0, 1.33), (1.33, 1.0), (1.0, 1.8), (1.8, 1.33)] {
+            let Some(t) = refract::<f64>(d, n, n1, n2).t else { continue };
+            assert!(t.dot(d.cross(n)).abs() < 4.0 * f64::EPSILON);
+            let Some(t) = refract::<f32>(d.as_vec3(), n.as_vec3(), n1, n2).t else { continue };
+            assert!(t.dot(d.as_vec3().cross(n.as_vec3())).abs() < 4.0 * f32::EPSILON);
+        }
+    }
+}

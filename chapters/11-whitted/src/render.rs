@@ -1,0 +1,52 @@
+//! A whole picture, on several threads.
+
+use math::Real;
+use shading::Rgb;
+use stage::{Error, Tile, Workers, tiled};
+
+use crate::{Counts, Path, Tracer};
+
+/// The radiance of every pixel, row by row from the top, and what it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rendered {
+    /// Columns and rows.
+    pub size: (u32, u32),
+    /// Linear, before clamping.
+    pub radiance: Vec<Rgb>,
+    /// Exact.
+    pub counts: Counts,
+}
+
+/// What a thread needs of its stack beside the rays: 1 MiB.
+const STACK: usize = 1 << 20;
+/// What a ray needs of it, rayTrace and rtShade together, in any profile: seen are 3 KiB in `dev`.
+const STACK_A_RAY: usize = 16 << 10;
+
+/// Traces a picture of `size` pixels with `samples` × `samples` rays each. The same for every number of threads; `None`: all
+/// that the machine has.
+///
+/// [`Error::Failed`] where the memory or the threads cannot be had.
+pub fn render<R: Real>(
+    tracer: &Tracer<'_, R>,
+    size: (u32, u32),
+    samples: u32,
+    threads: Option<usize>,
+    progress: Option<&'static str>,
+) -> Result<Rendered, Error> {
+    let workers = Workers { threads, stack: STACK + tracer.max_depth() as usize * STACK_A_RAY, progress };
+    let mut counts = Counts::default();
+    let radiance = tiled(
+        size,
+        &workers,
+        |tile: &Tile, values: &mut [Rgb]| {
+            let (mut path, mut counts) = (Path::default(), Counts::default());
+            let pixels = tile.rows.clone().flat_map(|row| tile.cols.clone().map(move |col| (col, row)));
+            for (pixel, value) in pixels.zip(values) {
+                *value = tracer.pixel(pixel, samples, &mut path, &mut counts);
+            }
+            counts
+        },
+        |tile| counts.add(&tile),
+    )?;
+    Ok(Rendered { size, radiance, counts })
+}

@@ -1,0 +1,64 @@
+//! Only what the scene requires.
+//!
+//! A tracer that could do everything pays for it with every ray: it keeps a stack of media where all is opaque, asks for
+//! shadows that change nothing, builds a tree for three spheres, carries every ray through a matrix that does nothing. So what
+//! a scene requires is found out once, and the rest is not done. The radiance of every pixel is the same to the last bit.
+
+use math::Real;
+use signature::Shape;
+
+use crate::Scene;
+
+/// What is modeled beyond eye rays and ambient light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Requirements {
+    /// Rays to lights where they change something.
+    pub shadows: bool,
+    /// Rays to lights even where r_d + r_s = 0.
+    pub idle_shadows: bool,
+    /// Mirror rays.
+    pub mirror: bool,
+    /// Rays through surfaces.
+    pub refraction: bool,
+    /// The stack of media: something bends light.
+    pub media: bool,
+    /// Texture coordinates.
+    pub textures: bool,
+    /// Objects that are met in a space of their own.
+    pub transforms: bool,
+    /// A tree of boxes.
+    pub tree: bool,
+}
+
+impl Requirements {
+    /// What a scene requires, with so many parts to test.
+    pub fn of<R: Real>(scene: &Scene<R>, parts: usize) -> Requirements {
+        let lit = &scene.lit;
+        let used = |object: &usize| {
+            let material = lit.painted[*object].material;
+            (&lit.materials[material], &scene.optics[material])
+        };
+        let objects = 0..lit.geometry.objects.len();
+        let any = |holds: &dyn Fn(&usize) -> bool| objects.clone().any(|object| holds(&object));
+        let is_traced_on = scene.max_depth > 1;
+        let refraction = is_traced_on && any(&|object| used(object).1.transmit > 0.0);
+        let bends = any(&|object| scene.is_solid(*object) && used(object).1.ior != 1.0);
+        let lets_into = any(&|object| scene.is_solid(*object) && used(object).1.transmit > 0.0);
+        let deformed = |object: &usize| matches!(lit.geometry.objects[*object].shape, Shape::Deformed(_));
+        Requirements {
+            shadows: !lit.lights.is_empty() && any(&|object| used(object).0.answers_lights()),
+            idle_shadows: false,
+            mirror: is_traced_on && any(&|object| used(object).1.mirror > 0.0),
+            refraction,
+            media: refraction && bends && lets_into,
+            textures: lit.painted.iter().any(|painted| painted.texture.is_some()),
+            transforms: any(&deformed),
+            tree: bounds::Method::required(parts) != bounds::Method::None,
+        }
+    }
+
+    /// The structure for rays.
+    pub fn bounds(&self) -> bounds::Method {
+        if self.tree { bounds::Method::Wide } else { bounds::Method::None }
+    }
+}

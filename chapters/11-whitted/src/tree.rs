@@ -1,0 +1,148 @@
+//! The tree of all rays of a pixel, down to the last term.
+
+use bounds::Tally;
+use math::Real;
+use shading::lighting::Point;
+use shading::{Fate, Rgb};
+
+use crate::{Counts, Kind, Refraction, Sent, Witness};
+
+/// A ray, what it saw, and the rays that were sent from there.
+#[derive(Clone, Debug)]
+pub struct Node<R: Real> {
+    /// Why it was sent, from where, and what it is multiplied by.
+    pub sent: Sent<R>,
+    /// The product of the coefficients on the way from the eye.
+    pub weight: f64,
+    /// Where it landed; `None` where it saw the background.
+    pub landed: Option<Landed<R>>,
+    /// What it saw.
+    pub e: Rgb,
+    /// The rays that were sent on: places in the tree.
+    pub children: Vec<usize>,
+    /// The rays that were not: why they would have been sent, and how much they could have brought at most.
+    pub left_out: Vec<(Kind, f64)>,
+}
+
+/// Where a ray landed.
+#[derive(Clone, Debug)]
+pub struct Landed<R: Real> {
+    /// The object's place in the scene.
+    pub object: usize,
+    /// λ
+    pub lambda: R,
+    /// What the shading knows; `None` where p̄ is too far away to be a number.
+    pub point: Option<Point<R>>,
+    /// What became of each light.
+    pub lights: Vec<(usize, Fate<R>)>,
+    /// The local term.
+    pub local: Rgb,
+    /// How light goes through, where it does; with whether it enters the solid or leaves it, if it is one.
+    pub refraction: Option<(Refraction<R>, Option<bool>)>,
+}
+
+/// The rays in the order in which they were sent, the eye ray first.
+#[derive(Clone, Debug)]
+pub struct Tree<R: Real> {
+    /// All rays.
+    pub nodes: Vec<Node<R>>,
+    /// The same, counted.
+    pub counts: Counts,
+    /// Those that have not ended, the deepest last.
+    open: Vec<usize>,
+}
+
+impl<R: Real> Tree<R> {
+    /// No ray yet.
+    pub fn new() -> Tree<R> {
+        Tree { nodes: Vec::new(), counts: Counts::default(), open: Vec::new() }
+    }
+
+    /// What a ray adds to the pixel by itself: its weight times what it sees without the rays that were sent on.
+    pub fn contribution(&self, node: &Node<R>) -> Rgb {
+        node.landed.as_ref().map_or(node.e, |landed| landed.local) * node.weight
+    }
+
+    fn landing(&mut self) -> Option<&mut Landed<R>> {
+        let place = *self.open.last()?;
+        self.nodes[place].landed.as_mut()
+    }
+}
+
+impl<R: Real> Default for Tree<R> {
+    fn default() -> Tree<R> {
+        Tree::new()
+    }
+}
+
+impl<R: Real> Tally for Tree<R> {
+    fn boxes(&mut self, more: usize) {
+        self.counts.boxes(more);
+    }
+    fn tests(&mut self, more: usize) {
+        self.counts.tests(more);
+    }
+    fn hit(&mut self) {
+        self.counts.hit();
+    }
+}
+
+impl<R: Real> Witness<R> for Tree<R> {
+    const WANTS_LIGHTS: bool = true;
+
+    fn sent(&mut self, sent: &Sent<R>) {
+        self.counts.sent(sent);
+        let place = self.nodes.len();
+        let parent = self.open.last().copied();
+        let weight = parent.map_or(1.0, |parent| self.nodes[parent].weight) * sent.coefficient;
+        if let Some(parent) = parent {
+            self.nodes[parent].children.push(place);
+        }
+        let (children, left_out) = (Vec::new(), Vec::new());
+        self.nodes.push(Node { sent: *sent, weight, landed: None, e: Rgb::BLACK, children, left_out });
+        self.open.push(place);
+    }
+
+    fn shadow_rays(&mut self, more: u64) {
+        Witness::<R>::shadow_rays(&mut self.counts, more);
+    }
+
+    fn landed(&mut self, object: usize, lambda: R, point: Option<&Point<R>>) {
+        if let Some(&place) = self.open.last() {
+            let (point, lights) = (point.copied(), Vec::new());
+            let landed = Landed { object, lambda, point, lights, local: Rgb::BLACK, refraction: None };
+            self.nodes[place].landed = Some(landed);
+        }
+    }
+
+    fn light(&mut self, light: usize, fate: &Fate<R>) {
+        if let Some(landed) = self.landing() {
+            landed.lights.push((light, *fate));
+        }
+    }
+
+    fn local(&mut self, e: Rgb) {
+        if let Some(landed) = self.landing() {
+            landed.local = e;
+        }
+    }
+
+    fn refraction(&mut self, refraction: &Refraction<R>, solid: Option<bool>) {
+        if let Some(landed) = self.landing() {
+            landed.refraction = Some((*refraction, solid));
+        }
+    }
+
+    fn left_out(&mut self, kind: Kind, at_most: f64) {
+        Witness::<R>::left_out(&mut self.counts, kind, at_most);
+        if let Some(&place) = self.open.last() {
+            self.nodes[place].left_out.push((kind, at_most));
+        }
+    }
+
+    fn ends(&mut self, e: Rgb) {
+        if let Some(place) = self.open.pop() {
+            self.nodes[place].e = e;
+        }
+    }
+}
