@@ -1,7 +1,7 @@
 //! Where a ray lands: the point, and the normals there.
 
-use bounds::{Bounded, FirstPart};
-use math::{Ray3, Real, Span, Vector};
+use bounds::{Bounded, FirstPart, Query};
+use math::{Real, Span, Vector};
 use signature::{Method, Shape};
 
 /// What findFirstHit of the page gives: the object, λ, p̄ and n⃗.
@@ -24,14 +24,19 @@ pub struct Landing<R: Real> {
 }
 
 impl<R: Real> Landing<R> {
-    /// What there is to say of the first part that a ray hits. `with_place`: (α, β) is wanted.
+    /// What there is to say of the first part that answers a query. `with_place`: (α, β) is wanted.
     ///
-    /// `None` where the method finds no hit at that λ after all, which the same λ from the same scene does not do.
+    /// `None` where the method finds no hit up to that λ after all, which for the answer to the same query does not happen.
     #[inline]
-    pub fn of(bounded: &Bounded<'_, R>, ray: &Ray3<R>, first: FirstPart<R>, with_place: bool) -> Option<Landing<R>> {
-        let FirstPart { part, lambda } = first;
+    pub fn of(
+        bounded: &Bounded<'_, R>,
+        query: &Query<R>,
+        first: FirstPart<R>,
+        with_place: bool,
+    ) -> Option<Landing<R>> {
+        let (FirstPart { part, lambda }, ray) = (first, &query.ray);
         let (parts, method) = (bounded.all_parts(), bounded.formulas());
-        let hit = parts.whole_hit(method, part, ray, Span::new(lambda, lambda))?;
+        let hit = parts.whole_hit(method, part, ray, Span::new(query.span.min, lambda))?;
         let object = parts.object(part);
         let flat = Landing {
             object,

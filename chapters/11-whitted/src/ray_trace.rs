@@ -109,7 +109,7 @@ impl<'a, R: Real> Tracer<'a, R> {
         let first = bounded.first_part(query, witness)?;
         let object = bounded.all_parts().object(first.part);
         let with_place = self.scene.lit.painted[object].texture.is_some();
-        Landing::of(bounded, &query.ray, first, with_place)
+        Landing::of(bounded, query, first, with_place)
     }
 
     /// rtShade(OBJ, p̄, n⃗, d⃗_e, depth): the local component and, before maxDepth, the global one.
