@@ -5,6 +5,7 @@ use math::{Real, Vector};
 
 use crate::landing::Turned;
 use crate::shadow::blocker;
+use crate::start::Spared;
 use crate::{Landing, Phong, Rgb, Scene, Start, Starts, phong};
 
 /// A scene ready to be lit.
@@ -18,6 +19,8 @@ pub struct Lighting<'a, R: Real> {
     pub start: Start,
     /// A ray is sent to a light even where r_d + r_s = 0 and it changes nothing.
     pub idle_shadows: bool,
+    /// A second ray is tried even on what it cannot meet again: see [`Spared`].
+    pub idle_tests: bool,
 }
 
 /// What becomes of one light at a point.
@@ -61,7 +64,10 @@ impl<'a, R: Real> Lighting<'a, R> {
         let parts = self.bounded.all_parts();
         let shape = parts.shape(landing.part);
         let face = parts.face(landing.part);
-        let starts = Starts::of(self.start, self.bounded.formulas(), shape, face, &landing);
+        let mut starts = Starts::of(self.start, self.bounded.formulas(), shape, face, &landing);
+        if self.start == Start::Bound && !self.idle_tests {
+            starts.spared = Spared::of(shape, landing.part);
+        }
         Some(Point {
             turned: landing.turned_toward(direction),
             c: -direction.unit(),

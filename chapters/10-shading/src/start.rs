@@ -67,6 +67,32 @@ pub struct Starts<R: Real> {
     pub skipped: R,
     /// The part that does not count.
     pub without: Option<usize>,
+    /// The part that need not be tried, as it is not hit again.
+    pub spared: Spared,
+}
+
+/// A ray that starts outside of something convex and goes away from it does not come back: there is nothing to try.
+///
+/// Of what stands here, everything is convex, or inside of something convex that it touches there (NFF's open cone, which is
+/// met again from within only).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spared {
+    /// Everything is tried.
+    Nothing,
+    /// The part that the ray starts from, if it goes to the side of the face's normal.
+    Outside(usize),
+    /// The part that the ray starts from, to whichever side: it is flat.
+    BothSides(usize),
+}
+
+impl Spared {
+    /// What rays need not be tried on that start from this part.
+    pub fn of<R: Real>(shape: &Shape<R>, part: usize) -> Spared {
+        match shape {
+            Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) | Shape::Mesh(_) => Spared::BothSides(part),
+            Shape::Sphere(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => Spared::Outside(part),
+        }
+    }
 }
 
 impl<R: Real> Starts<R> {
@@ -76,7 +102,7 @@ impl<R: Real> Starts<R> {
         let p = landing.point;
         let zero = R::from(0.0);
         let from_p =
-            Starts { origins: [p, p], face_normal: landing.face_normal, skipped: zero, without: None };
+            Starts { origins: [p, p], face_normal: landing.face_normal, skipped: zero, without: None, spared: Spared::Nothing };
         match start {
             Start::None => from_p,
             Start::Fixed => Starts { skipped: R::from(CUSTOMARY), ..from_p },
@@ -89,8 +115,9 @@ impl<R: Real> Starts<R> {
     /// A ray in some direction, not zero, for as far as it goes.
     #[inline(always)]
     pub fn toward(&self, direction: R::Vec3) -> Query<R> {
-        let ray = Ray3::new(self.origin(direction), direction);
-        Query { ray, span: Span::new(self.first_t(direction), R::INFINITY), without: self.without }
+        let (origin, without) = self.leaving(direction);
+        let span = Span::new(self.first_t(direction), R::INFINITY);
+        Query { ray: Ray3::new(origin, direction), span, without }
     }
 
     /// A ray to a light, which is at λ = 1; `to_light` is the direction in which to leave.
@@ -99,17 +126,24 @@ impl<R: Real> Starts<R> {
     /// is [`bounds::Reach::ULPS`] units of its last digit, the rounding of the direction among them.
     #[inline(always)]
     pub fn to(&self, light: R::Vec3, to_light: R::Vec3) -> Query<R> {
-        let origin = self.origin(to_light);
+        let (origin, without) = self.leaving(to_light);
         let direction = light - origin;
         let digit = 1.0 / (1u64 << R::DIGITS) as f64;
         let before_the_light = R::round_from(1.0 - bounds::Reach::ULPS * digit);
         let span = Span::new(self.first_t(direction), before_the_light);
-        Query { ray: Ray3::new(origin, direction), span, without: self.without }
+        Query { ray: Ray3::new(origin, direction), span, without }
     }
 
+    /// Where a ray in some direction starts, and what need not be tried.
     #[inline(always)]
-    fn origin(&self, direction: R::Vec3) -> R::Vec3 {
-        self.origins[usize::from(self.face_normal.dot(direction) < R::from(0.0))]
+    fn leaving(&self, direction: R::Vec3) -> (R::Vec3, Option<usize>) {
+        let is_inward = self.face_normal.dot(direction) < R::from(0.0);
+        let spared = match self.spared {
+            Spared::BothSides(part) => Some(part),
+            Spared::Outside(part) if !is_inward => Some(part),
+            _ => self.without,
+        };
+        (self.origins[usize::from(is_inward)], spared)
     }
 
     /// The smallest λ that counts: above 0 in any case.

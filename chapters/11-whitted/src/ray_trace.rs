@@ -43,6 +43,7 @@ impl<'a, R: Real> Tracer<'a, R> {
             bounded,
             start: Start::Bound,
             idle_shadows: requirements.idle_shadows,
+            idle_tests: requirements.idle_tests,
         };
         let around_eye = if requirements.media { around_eye(scene) } else { Vec::new() };
         Tracer { scene, lighting, media: requirements.media, around_eye, tolerance }

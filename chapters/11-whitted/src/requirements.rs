@@ -16,6 +16,8 @@ pub struct Requirements {
     pub shadows: bool,
     /// Rays to lights even where r_d + r_s = 0.
     pub idle_shadows: bool,
+    /// Rays tried even on what they start from and cannot meet again.
+    pub idle_tests: bool,
     /// Mirror rays.
     pub mirror: bool,
     /// Rays through surfaces.
@@ -48,6 +50,7 @@ impl Requirements {
         Requirements {
             shadows: !lit.lights.is_empty() && any(&|object| used(object).0.answers_lights()),
             idle_shadows: false,
+            idle_tests: false,
             mirror: is_traced_on && any(&|object| used(object).1.mirror > 0.0),
             refraction,
             media: refraction && bends && lets_into,
