@@ -7,6 +7,7 @@
 //!
 //! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain.
 
+pub mod glance;
 pub mod ground;
 #[cfg(feature = "stage")]
 mod map;
@@ -25,6 +26,7 @@ pub mod stage;
 
 use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
+pub use glance::glance;
 pub use notes::{Notes, notes};
 pub use robust::{Robust, robust};
 pub use signed_distance::{Side, SignedDistance, signed_distance};

@@ -14,6 +14,7 @@ pub mod batched;
 pub mod closest_approach;
 #[cfg(feature = "stage")]
 mod explain;
+pub mod glance;
 pub mod half_quadratic;
 #[cfg(feature = "stage")]
 mod map;
@@ -36,6 +37,7 @@ use math::{Degenerate, Hit, Ray3, Real, Roots, Span, Vector};
 
 pub use batched::{Batched, batched};
 pub use closest_approach::{ClosestApproach, closest_approach, closest_approach_of_unit};
+pub use glance::glance;
 pub use half_quadratic::{HalfQuadratic, half_quadratic};
 pub use quadratic::{Quadratic, quadratic};
 pub use robust::{Robust, robust};

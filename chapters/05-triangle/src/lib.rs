@@ -18,6 +18,7 @@
 pub mod area;
 #[cfg(feature = "stage")]
 mod explain;
+pub mod glance;
 pub mod half_planes;
 #[cfg(feature = "stage")]
 mod leaks;
@@ -39,6 +40,7 @@ pub mod stage;
 
 use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
+pub use glance::glance;
 pub use half_planes::{HalfPlanes, half_planes};
 pub use matrix::{Matrix, matrix};
 pub use moller_trumbore::{MollerTrumbore, moller_trumbore};

@@ -1,7 +1,7 @@
 //! The shapes of a scene, each met by its own chapter.
 
 use affine::Deformed;
-use math::{Degenerate, Parallel, Ray3, Real, Span};
+use math::{Degenerate, Glance, Parallel, Ray3, Real, Span};
 use quadric::open::OpenCone;
 use ray_plane::{Meeting, Plane};
 use ray_sphere::Sphere;
@@ -68,6 +68,18 @@ impl<R: Real> Shape<R> {
             Shape::Solid(shape) => quadric::notes(ray, *shape).hit(span),
             Shape::OpenCone(cone) => quadric::open::notes(ray, cone).hit(span),
             Shape::Deformed(deformed) => affine::notes(ray, deformed).hit(span),
+        }
+    }
+
+    /// What plain `f64` says of the robust method's answer at a glance: nothing, for most shapes. Of a mesh it is asked face by
+    /// face. The ray must be a ray.
+    #[inline(always)]
+    pub fn glance(&self, ray: &Ray3<R>) -> Glance {
+        match self {
+            Shape::Plane(plane) => ray_plane::glance(ray, plane),
+            Shape::Sphere(sphere) => ray_sphere::glance(ray, sphere),
+            Shape::Triangle(triangle) => triangle::glance(ray, triangle),
+            _ => Glance::Unsure,
         }
     }
 

@@ -2,10 +2,10 @@
 
 use math::{Ray3, Real, Span};
 use ray_sphere::{Sphere, robust};
-use signature::{First, Method as Formulas, Scene};
+use signature::{First, Hit3, Method as Formulas, Scene};
 
 use crate::projected::{Extents, rectangle};
-use crate::trial::{Ready, Trial};
+use crate::trial::{Trial, Tried};
 use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
@@ -132,7 +132,7 @@ impl<'a, R: Real> Bounded<'a, R> {
     #[inline]
     pub fn seen(&self, pixel: (u32, u32), counts: &mut impl Tally) -> Option<First<R>> {
         let query = Query { ray: self.scene.ray(pixel), span: Span::ahead(), without: None };
-        self.search::<false>(&query, Some(pixel), counts).map(|first| self.object(first))
+        self.search::<false>(&query, Some(pixel), counts).first().map(|first| self.object(first))
     }
 
     /// What any ray hits first in `span`, which must not begin below 0: the same as [`fn@signature::first_hit`] by the
@@ -146,14 +146,22 @@ impl<'a, R: Real> Bounded<'a, R> {
     /// The part that is hit first, `None` where nothing is; on a tie the earlier one.
     #[inline]
     pub fn first_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<FirstPart<R>> {
-        self.search::<false>(query, None, counts)
+        self.search::<false>(query, None, counts).first()
+    }
+
+    /// The same, with the point and the normal: λ is worked out once, for the part that is hit.
+    #[inline]
+    pub fn first_hit_of(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<(usize, Hit3<R>)> {
+        let (part, lambda) = self.search::<false>(query, None, counts).nearest()?;
+        let span = Span::new(query.span.min, lambda.unwrap_or(query.span.max));
+        Some((part, self.parts.whole_hit(self.formulas(), part, &query.ray, span)?))
     }
 
     /// Some part that is hit, `None` where nothing is: the search ends with the first that it finds. Which one that is
     /// depends on the bounds.
     #[inline]
-    pub fn any_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<FirstPart<R>> {
-        self.search::<true>(query, None, counts)
+    pub fn any_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<usize> {
+        self.search::<true>(query, None, counts).nearest().map(|(part, _)| part)
     }
 
     fn object(&self, first: FirstPart<R>) -> First<R> {
@@ -161,85 +169,83 @@ impl<'a, R: Real> Bounded<'a, R> {
     }
 
     #[inline]
-    fn search<const ANY: bool>(
-        &self,
-        query: &Query<R>,
+    fn search<'q, const ANY: bool>(
+        &'q self,
+        query: &'q Query<R>,
         pixel: Option<(u32, u32)>,
         counts: &mut impl Tally,
-    ) -> Option<FirstPart<R>> {
+    ) -> Tried<'q, R> {
         let Query { ray, span, .. } = query;
-        let test = self.trial.ready(&self.parts, query);
+        let mut tried = self.trial.begins(&self.parts, query);
         let mut nearest = Nearest::new(*span);
         match &self.bounds {
             Bounds::None => {
-                try_all::<R, ANY>(0..self.parts.count(), &test, &mut nearest, counts);
+                try_all::<R, ANY>(0..self.parts.count(), &mut tried, &mut nearest, counts);
             }
             Bounds::Spheres(spheres) => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
                 let reach = Reach::of(*span);
                 for (object, sphere) in spheres {
                     // "only test intersections with objects if there exists a positive intersection with the bounding
                     // volume"
                     counts.boxes(1);
                     if !sphere.as_ref().is_some_and(|sphere| passes(ray, sphere, reach)) {
-                        try_all::<R, ANY>(self.parts.of_object(*object), &test, &mut nearest, counts);
+                        try_all::<R, ANY>(self.parts.of_object(*object), &mut tried, &mut nearest, counts);
                     }
                 }
             }
             Bounds::Boxes(boxes) => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
                 let slabs = Slabs::new(ray);
                 for (object, bounds) in boxes {
                     counts.boxes(1);
                     if slabs.enter(bounds, nearest.reach).is_some() {
-                        try_all::<R, ANY>(self.parts.of_object(*object), &test, &mut nearest, counts);
+                        try_all::<R, ANY>(self.parts.of_object(*object), &mut tried, &mut nearest, counts);
                     }
                 }
             }
             Bounds::Extents(extents) => match pixel {
                 Some((col, row)) => {
-                    try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                    try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
                     for (object, seen) in extents.in_row(row) {
                         counts.boxes(1);
                         if seen.cols.contains(&col) && seen.rows.contains(&row) {
-                            try_all::<R, ANY>(self.parts.of_object(*object), &test, &mut nearest, counts);
+                            try_all::<R, ANY>(self.parts.of_object(*object), &mut tried, &mut nearest, counts);
                         }
                     }
                 }
-                None => try_all::<R, ANY>(0..self.parts.count(), &test, &mut nearest, counts),
+                None => try_all::<R, ANY>(0..self.parts.count(), &mut tried, &mut nearest, counts),
             },
             Bounds::Tree { tree, parts } => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
                 if !(ANY && nearest.index.is_some()) {
-                    let test = |at: usize, span| test.hit(parts[at], span);
-                    let hit = match ANY {
+                    let test = |at: usize, _| tried.on(parts[at]);
+                    match ANY {
                         true => tree.first_found(ray, nearest.span, counts, test),
                         false => tree.closest(ray, nearest.span, counts, test),
                     };
-                    hit.inspect(|&(at, t)| nearest.put(parts[at], t));
                 }
             }
             Bounds::Wide { wide, parts } => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &test, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
                 if !(ANY && nearest.index.is_some()) {
-                    let test = |at: usize, span| test.hit(parts[at], span);
-                    let hit = match ANY {
+                    let test = |at: usize, _| tried.on(parts[at]);
+                    match ANY {
                         true => wide.first_found(ray, nearest.span, counts, test),
                         false => wide.closest(ray, nearest.span, counts, test),
                     };
-                    hit.inspect(|&(at, t)| nearest.put(parts[at], t));
                 }
             }
         }
-        nearest.hit().map(|(part, lambda)| FirstPart { part, lambda })
+        tried
     }
 }
 
 /// The loop of the scene signature, over some parts; `ANY`: until something is hit.
-#[inline]
+#[inline(always)]
 fn try_all<R: Real, const ANY: bool>(
     parts: impl IntoIterator<Item = usize>,
-    test: &Ready<'_, R>,
+    tried: &mut Tried<'_, R>,
     nearest: &mut Nearest<R>,
     counts: &mut impl Tally,
 ) {
@@ -248,7 +254,7 @@ fn try_all<R: Real, const ANY: bool>(
             return;
         }
         counts.tests(1);
-        if let Some(t) = test.hit(part, nearest.span) {
+        if let Some(t) = tried.on(part) {
             counts.hit();
             nearest.put(part, t);
         }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use math::{Ray3, Real, Span, Vector};
+use math::{Glance, Ray3, Real, Span, Vector};
 use signature::{Hit3, Method, Scene, Shape};
 
 use crate::Box3;
@@ -74,6 +74,16 @@ impl<'a, R: Real> Parts<'a, R> {
     #[inline]
     pub fn hit(&self, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<R> {
         self.whole_hit(Method::Robust, part, ray, span).map(|hit| hit.t)
+    }
+
+    /// What plain `f64` says of that at a glance, see [`Shape::glance`].
+    #[inline(always)]
+    pub fn glance(&self, part: usize, ray: &Ray3<R>) -> Glance {
+        let Part { object, face } = self.all[part];
+        match &self.scene.objects[object as usize].shape {
+            Shape::Mesh(mesh) => triangle::glance(ray, &mesh.triangle(face as usize)),
+            shape => shape.glance(ray),
+        }
     }
 
     /// The same with the point and the normal, by either method; of a mesh the normal of the face. `None` for a miss.

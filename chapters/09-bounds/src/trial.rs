@@ -1,14 +1,18 @@
-//! One part, one ray: is it hit?
+//! One ray, one part after the other: which is hit first?
 //!
-//! The robust methods say so exactly. The notes' formulas are sometimes wrong about a ray that passes by, and which
-//! of the parts a ray is tried on depends on the bounds; so would then what is seen. To be the same by every bound, a
-//! hit of theirs counts only where the ray is in the part's own box, and not before it enters that box: a bound in
-//! which that box is leaves no such hit out.
+//! The robust methods say so exactly. They need not be asked for every part: a glance in plain `f64` tells nearly always
+//! that a part is not met, or that it is nearer or farther than the nearest so far ([`math::glance`]). What is close is
+//! decided by the robust λ, and so the answer is the one that the robust methods alone would give.
+//!
+//! The notes' formulas are sometimes wrong about a ray that passes by, and which of the parts a ray is tried on depends
+//! on the bounds; so would then what is seen. To be the same by every bound, a hit of theirs counts only where the ray is
+//! in the part's own box, and not before it enters that box: a bound in which that box is leaves no such hit out.
 
+use math::glance::First;
 use math::{Real, Span};
 use signature::Method;
 
-use crate::bounded::Query;
+use crate::bounded::{FirstPart, Query};
 use crate::{Box3, Parts, Reach, Slabs};
 
 /// By which formulas.
@@ -34,42 +38,112 @@ impl Trial {
         }
     }
 
-    /// Ready for the parts, one after the other.
+    /// A ray that was tried on nothing yet.
     #[inline(always)]
-    pub(crate) fn ready<'a, R: Real>(&'a self, parts: &'a Parts<'a, R>, query: &'a Query<R>) -> Ready<'a, R> {
+    pub(crate) fn begins<'a, R: Real>(&'a self, parts: &'a Parts<'a, R>, query: &'a Query<R>) -> Tried<'a, R> {
         let boxes = match self {
             Trial::Robust => None,
             Trial::Notes(boxes) => Some((Slabs::new(&query.ray), boxes.as_slice())),
         };
-        Ready { parts, query, without: query.without.unwrap_or(usize::MAX), boxes }
+        Tried { parts, query, without: query.without.unwrap_or(usize::MAX), boxes, nearest: None }
     }
 }
 
-/// A ray that is asked of one part after the other.
-pub(crate) struct Ready<'a, R: Real> {
+/// A ray, and the nearest of the parts that it was tried on.
+pub(crate) struct Tried<'a, R: Real> {
     parts: &'a Parts<'a, R>,
     query: &'a Query<R>,
     without: usize,
     boxes: Option<(Slabs, &'a [Option<Box3>])>,
+    nearest: Option<Nearest<R>>,
 }
 
-impl<R: Real> Ready<'_, R> {
-    /// The t of the nearest hit of a part in `span`.
+/// The nearest part so far.
+#[derive(Clone, Copy)]
+struct Nearest<R> {
+    part: usize,
+    /// λ is between these, as the robust method rounds it.
+    low: f64,
+    high: f64,
+    /// λ, where it was needed.
+    lambda: Option<R>,
+}
+
+impl<R: Real> Tried<'_, R> {
+    /// Tries one more part. If it is the nearest so far, how far a nearer one can be: λ, or a little more.
     #[inline(always)]
-    pub(crate) fn hit(&self, part: usize, span: Span<R>) -> Option<R> {
+    pub(crate) fn on(&mut self, part: usize) -> Option<R> {
         if part == self.without {
             return None;
         }
-        match &self.boxes {
-            None => self.parts.hit(part, &self.query.ray, span),
-            Some((slabs, boxes)) => {
-                let enters = match &boxes[part] {
-                    Some(bounds) => slabs.enter(bounds, Reach::of(span))?,
-                    None => 0.0,
-                };
-                let hit = self.parts.whole_hit(Method::Notes, part, &self.query.ray, span)?;
-                (Into::<f64>::into(hit.t) >= f64::from(enters)).then_some(hit.t)
+        if self.boxes.is_some() {
+            return self.on_by_notes(part);
+        }
+        match self.parts.glance(part, &self.query.ray).first_within(self.query.span) {
+            First::None => None,
+            First::Between(low, high) => match &self.nearest {
+                Some(nearest) if low > nearest.high => None,
+                Some(nearest) if high >= nearest.low => self.on_exactly(part),
+                _ => {
+                    self.nearest = Some(Nearest { part, low, high, lambda: None });
+                    Some(R::round_from(high * (1.0 + 2.0 / (1u64 << R::DIGITS) as f64)))
+                }
+            },
+            First::Unsure => self.on_exactly(part),
+        }
+    }
+
+    /// Where λ to its last digit is needed.
+    #[cold]
+    #[inline(never)]
+    fn on_exactly(&mut self, part: usize) -> Option<R> {
+        let (ray, span) = (&self.query.ray, self.query.span);
+        let lambda = self.parts.hit(part, ray, span)?;
+        if let Some(nearest) = self.nearest {
+            // what is certain at a glance is a hit
+            let other = nearest.lambda.or_else(|| self.parts.hit(nearest.part, ray, span))?;
+            if !(lambda < other || (lambda == other && part < nearest.part)) {
+                let exact = Into::<f64>::into(other);
+                self.nearest = Some(Nearest { low: exact, high: exact, lambda: Some(other), ..nearest });
+                return None;
             }
         }
+        let exact = Into::<f64>::into(lambda);
+        self.nearest = Some(Nearest { part, low: exact, high: exact, lambda: Some(lambda) });
+        Some(lambda)
+    }
+
+    #[inline(never)]
+    fn on_by_notes(&mut self, part: usize) -> Option<R> {
+        let (slabs, boxes) = self.boxes.as_ref()?;
+        let Query { ray, span, .. } = self.query;
+        let max = self.nearest.as_ref().and_then(|nearest| nearest.lambda).unwrap_or(span.max);
+        let span = Span::new(span.min, max);
+        let enters = match &boxes[part] {
+            Some(bounds) => slabs.enter(bounds, Reach::of(span))?,
+            None => 0.0,
+        };
+        let lambda = self.parts.whole_hit(Method::Notes, part, ray, span)?.t;
+        let exact: f64 = lambda.into();
+        let loses_tie = self.nearest.as_ref().is_some_and(|nearest| lambda == max && nearest.part < part);
+        if exact < f64::from(enters) || loses_tie {
+            return None;
+        }
+        self.nearest = Some(Nearest { part, low: exact, high: exact, lambda: Some(lambda) });
+        Some(lambda)
+    }
+
+    /// The nearest part, and its λ where it was needed.
+    #[inline(always)]
+    pub(crate) fn nearest(&self) -> Option<(usize, Option<R>)> {
+        self.nearest.as_ref().map(|nearest| (nearest.part, nearest.lambda))
+    }
+
+    /// The nearest part with its λ to the last digit.
+    #[inline(always)]
+    pub(crate) fn first(&self) -> Option<FirstPart<R>> {
+        let (part, lambda) = self.nearest()?;
+        let lambda = lambda.or_else(|| self.parts.hit(part, &self.query.ray, self.query.span))?;
+        Some(FirstPart { part, lambda })
     }
 }

@@ -1,7 +1,7 @@
 //! Where a ray lands: the point, and the normals there.
 
-use bounds::{Bounded, FirstPart, Query};
-use math::{Real, Span, Vector};
+use bounds::{Bounded, Query, Tally};
+use math::{Real, Vector};
 use signature::{Method, Shape};
 
 /// What findFirstHit of the page gives: the object, λ, p̄ and n⃗.
@@ -24,30 +24,27 @@ pub struct Landing<R: Real> {
 }
 
 impl<R: Real> Landing<R> {
-    /// What there is to say of the first part that answers a query. `with_place`: (α, β) is wanted.
-    ///
-    /// `None` where the method finds no hit up to that λ after all, which for the answer to the same query does not happen.
+    /// What a ray hits first, `None` where it hits nothing. `with_place`: of which objects (α, β) is wanted.
     #[inline]
     pub fn of(
         bounded: &Bounded<'_, R>,
         query: &Query<R>,
-        first: FirstPart<R>,
-        with_place: bool,
+        counts: &mut impl Tally,
+        with_place: impl Fn(usize) -> bool,
     ) -> Option<Landing<R>> {
-        let (FirstPart { part, lambda }, ray) = (first, &query.ray);
-        let (parts, method) = (bounded.all_parts(), bounded.formulas());
-        let hit = parts.whole_hit(method, part, ray, Span::new(query.span.min, lambda))?;
+        let (part, hit) = bounded.first_hit_of(query, counts)?;
+        let (parts, ray) = (bounded.all_parts(), &query.ray);
         let object = parts.object(part);
         let flat = Landing {
             object,
             part,
-            lambda,
+            lambda: hit.t,
             point: hit.point,
             face_normal: hit.normal,
             normal: hit.normal,
             alpha_beta: None,
         };
-        let by = match method {
+        let by = match bounded.formulas() {
             Method::Robust => triangle::Method::Robust,
             Method::Notes => triangle::Method::Matrix,
         };
@@ -56,7 +53,7 @@ impl<R: Real> Landing<R> {
                 let on_face = mesh.hit_on(by, ray, parts.face(part)?, hit);
                 Some(Landing { normal: on_face.shading_normal, alpha_beta: on_face.alpha_beta, ..flat })
             }
-            Shape::Triangle(triangle) if with_place => {
+            Shape::Triangle(triangle) if with_place(object) => {
                 Some(Landing { alpha_beta: by.work(ray, triangle).alpha_beta(), ..flat })
             }
             _ => Some(flat),

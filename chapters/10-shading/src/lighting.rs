@@ -1,6 +1,6 @@
 //! The local model at a point, all lights together.
 
-use bounds::{Bounded, FirstPart, Tally};
+use bounds::{Bounded, Tally};
 use math::{Real, Vector};
 
 use crate::landing::Turned;
@@ -30,8 +30,8 @@ pub enum Fate<R: Real> {
     Behind,
     /// r_d + r_s = 0: whether it is seen does not matter.
     Unanswered,
-    /// Something stands in between: V = 0. Of several it is any.
-    Shadowed(FirstPart<R>),
+    /// This part stands in between: V = 0. Of several it is any.
+    Shadowed(usize),
     /// V = 1.
     Seen(Phong<R>),
 }

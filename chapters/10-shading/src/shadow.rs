@@ -4,12 +4,12 @@
 //! occludes the light source." The first one is not needed: any between p̄ and the light will do, and the search ends
 //! with it.
 
-use bounds::{Bounded, FirstPart, Tally};
+use bounds::{Bounded, Tally};
 use math::{Real, Vector};
 
 use crate::Starts;
 
-/// Something that stands strictly between the point and the light, the object itself included; `None` where the point sees
+/// A part that stands strictly between the point and the light, the object itself included; `None` where the point sees
 /// the light. Of several it is any.
 #[inline(always)]
 pub fn blocker<R: Real>(
@@ -18,7 +18,7 @@ pub fn blocker<R: Real>(
     light: R::Vec3,
     to_light: R::Vec3,
     counts: &mut impl Tally,
-) -> Option<FirstPart<R>> {
+) -> Option<usize> {
     let query = starts.to(light, to_light);
     // a light at the very place from where the ray starts has nothing in between
     if query.ray.direction.is_zero() {

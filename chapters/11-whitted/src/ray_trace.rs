@@ -106,11 +106,8 @@ impl<'a, R: Real> Tracer<'a, R> {
     /// findFirstHit(ā, b⃗): the object, λ, p̄ and n⃗.
     #[inline]
     fn find_first_hit<W: Witness<R>>(&self, query: &Query<R>, witness: &mut W) -> Option<Landing<R>> {
-        let bounded = self.lighting.bounded;
-        let first = bounded.first_part(query, witness)?;
-        let object = bounded.all_parts().object(first.part);
-        let with_place = self.scene.lit.painted[object].texture.is_some();
-        Landing::of(bounded, query, first, with_place)
+        let is_textured = |object: usize| self.scene.lit.painted[object].texture.is_some();
+        Landing::of(self.lighting.bounded, query, witness, is_textured)
     }
 
     /// rtShade(OBJ, p̄, n⃗, d⃗_e, depth): the local component and, before maxDepth, the global one.
