@@ -1,5 +1,6 @@
 //! `to-pov SCENE`: writes the scene in POV-Ray's language to standard output.
 
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -30,12 +31,15 @@ fn main() -> ExitCode {
         pov::scene(&file, wanted)
     });
     match written {
-        Ok(text) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
+        Ok(text) => match std::io::stdout().lock().write_all(text.as_bytes()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(why) => {
+                eprintln!("cannot write the scene: {why}");
+                ExitCode::FAILURE
+            }
+        },
         Err(error) => {
-            eprintln!("{}", error.text());
+            eprintln!("{error}");
             ExitCode::from(error.status())
         }
     }
