@@ -4,7 +4,7 @@
 //! own vectors (`location`, `direction`, `right`, `up`) sees through them whatever they are called.
 //!
 //! What a hit point returns is E of our model, term by term: `ambient`, `diffuse` and `phong` are r_a, r_d
-//! and r_s, `phong_size` is α, `reflection` r_g. See [`mod@material`] for what lets light through, and the
+//! and r_s, `phong_size` is α, `reflection` r_g. See `material.rs` for what lets light through, and the
 //! crate's README for what POV-Ray cannot be told.
 
 mod camera;
