@@ -13,7 +13,10 @@ use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command};
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
 use crate::whole_file::try_at;
-use crate::{About, Ask, Error, Flag, Precision, Shown, Stage, TradeAsk, try_beside, write_picture};
+use crate::{
+    About, Ask, Error, Flag, Precision, Shown, Stage, TradeAsk, clean_up_when_interrupted, try_beside,
+    write_picture,
+};
 
 /// The whole program of a stage: reads the command line, does it, and says how it ended.
 pub fn main(stage: &dyn Stage) -> ExitCode {
@@ -22,6 +25,7 @@ pub fn main(stage: &dyn Stage) -> ExitCode {
 
 /// [`main`] for a command line that is given; its first word is the program's name.
 pub fn main_from(stage: &dyn Stage, args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    clean_up_when_interrupted();
     match command(&stage.about()).try_get_matches_from(args) {
         Ok(matches) => finish(serve(stage, &matches, &mut BufWriter::new(io::stdout().lock()))),
         Err(usage) => refuse(&usage),

@@ -1,6 +1,6 @@
 //! Files that appear whole or not at all.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 
+use crate::interrupt::UNFINISHED;
 use crate::{Canvas, Error};
 
 /// Writes a picture as a PNG of 8 bits a channel.
@@ -28,8 +29,9 @@ pub fn write_picture(picture: &Canvas, path: &Path) -> Result<(), Error> {
 }
 
 /// Writes a file under another name in the same folder and renames it when it is complete, so that
-/// whoever looks sees the old file or the new one, whole. Where `path` is a symbolic link to a file, that
-/// file is replaced. What is there and is no file (a folder, a device, a pipe) is left alone:
+/// whoever looks sees the old file or the new one, whole. A program that is interrupted leaves the old one and nothing
+/// else, see [`clean_up_when_interrupted`](crate::clean_up_when_interrupted). Where `path` is a symbolic link to a
+/// file, that file is replaced. What is there and is no file (a folder, a device, a pipe) is left alone:
 /// [`Error::Failed`].
 pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
     let failed = |error: io::Error| {
@@ -37,17 +39,12 @@ pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result
     };
     free_for_a_file(path)?;
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let unfinished = unfinished_name(&target);
-    let written = File::create(&unfinished).and_then(|file| {
-        let mut buffer = BufWriter::new(file);
-        write(&mut buffer)?;
-        buffer.flush()
-    });
-    written.and_then(|()| fs::rename(&unfinished, &target)).map_err(|error| {
-        // Where even the unfinished file could not be made there is none to remove.
-        let _ = fs::remove_file(&unfinished);
-        failed(error)
-    })
+    // Where an error ends this, the unfinished file is removed.
+    let (unfinished, file) = UNFINISHED.begin(unfinished_name(&target)).map_err(failed)?;
+    let mut buffer = BufWriter::new(file);
+    write(&mut buffer).and_then(|()| buffer.flush()).map_err(failed)?;
+    drop(buffer);
+    unfinished.finish(&target).map_err(failed)
 }
 
 /// Nothing stands at `path` that a file cannot take the place of.
@@ -76,8 +73,7 @@ pub(crate) fn try_at(path: &Path) -> Result<(), Error> {
 ///
 /// [`Error::Failed`] as [`write_whole`] would give it.
 pub fn try_beside(path: &Path) -> Result<(), Error> {
-    let unfinished = unfinished_name(path);
-    let tried = File::create(&unfinished).and_then(|_| fs::remove_file(&unfinished));
+    let tried = UNFINISHED.begin(unfinished_name(path)).and_then(|(unfinished, _)| unfinished.discard());
     tried.map_err(|error| Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error))))
 }
 

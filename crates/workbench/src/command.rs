@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgMatches, Command, value_parser};
-use stage::{Error, finish, refuse};
+use stage::{Error, clean_up_when_interrupted, finish, refuse};
 
 use crate::list::list;
 use crate::run::run;
@@ -15,6 +15,7 @@ use crate::stages;
 
 /// The whole program: reads the command line, does it, and says how it ended.
 pub fn main() -> ExitCode {
+    clean_up_when_interrupted();
     match command().try_get_matches_from(std::env::args_os()) {
         Ok(matches) => {
             let mut output = BufWriter::new(io::stdout().lock());
