@@ -121,13 +121,26 @@ impl Certainty {
 /// Works out the robust method.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
+    robust_from(ray, sphere, f64::NEG_INFINITY)
+}
+
+/// What [`Robust::hit`] of [`robust`] says, by a shorter way: a crossing that is before the span is not worked out to its last
+/// digit. That is what a ray asks that starts just within the sphere.
+#[inline(always)]
+pub fn hit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+    robust_from(ray, sphere, span.min.into()).hit(span)
+}
+
+/// The robust method; the near root may be rough where it is before `from`.
+#[inline(always)]
+fn robust_from<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, from: f64) -> Robust<R> {
     let [p_r, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
     let r: f64 = sphere.radius.into();
     let l = two_part_difference(c, p_r);
     let chord = match at_once::chord::<R>(l, d, r) {
         at_once::Found::Certain(chord) => chord,
         at_once::Found::Doubtful { a, b, t_close } => {
-            corrected::chord(l, d, r, a, b, t_close).unwrap_or_else(|| exact::chord(ray, sphere))
+            corrected::chord(l, d, r, [a, b, t_close], from).unwrap_or_else(|| exact::chord(ray, sphere))
         }
         at_once::Found::OutOfRange => scaled::chord(ray, sphere),
     };
@@ -138,7 +151,7 @@ pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
 fn certain<R: Real>(l: [TwoPart; 3], d: [f64; 3], r: f64) -> Option<Chord> {
     match at_once::chord::<R>(l, d, r) {
         at_once::Found::Certain(chord) => Some(chord),
-        at_once::Found::Doubtful { a, b, t_close } => corrected::chord(l, d, r, a, b, t_close),
+        at_once::Found::Doubtful { a, b, t_close } => corrected::chord(l, d, r, [a, b, t_close], f64::NEG_INFINITY),
         at_once::Found::OutOfRange => None,
     }
 }

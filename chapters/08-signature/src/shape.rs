@@ -48,7 +48,7 @@ impl<R: Real> Shape<R> {
     fn robust(&self, ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Shape::Plane(plane) => ray_plane::robust(ray, plane).hit(span),
-            Shape::Sphere(sphere) => ray_sphere::robust(ray, sphere).hit(span),
+            Shape::Sphere(sphere) => ray_sphere::robust::hit(ray, sphere, span),
             Shape::Triangle(triangle) => triangle::robust(ray, triangle).hit(span),
             Shape::Polygon(polygon) => polygon.hit(ray, span),
             Shape::Mesh(mesh) => Ok(mesh.hit(triangle::Method::Robust, ray, span)?.map(|seen| seen.hit)),

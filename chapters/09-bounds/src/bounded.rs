@@ -38,6 +38,15 @@ pub struct Query<R: Real> {
     pub span: Span<R>,
     /// A part that the ray passes as if it were not there.
     pub without: Option<usize>,
+    /// A solid part in which the ray starts, just below its surface: where its line enters that part is behind it.
+    pub within: Option<usize>,
+}
+
+impl<R: Real> Query<R> {
+    /// A ray that is tried on everything.
+    pub fn new(ray: Ray3<R>, span: Span<R>) -> Query<R> {
+        Query { ray, span, without: None, within: None }
+    }
 }
 
 /// What is around the objects.
@@ -131,7 +140,7 @@ impl<'a, R: Real> Bounded<'a, R> {
     /// What a pixel sees first, and where.
     #[inline]
     pub fn seen(&self, pixel: (u32, u32), counts: &mut impl Tally) -> Option<First<R>> {
-        let query = Query { ray: self.scene.ray(pixel), span: Span::ahead(), without: None };
+        let query = Query::new(self.scene.ray(pixel), Span::ahead());
         self.search::<false>(&query, Some(pixel), counts).first().map(|first| self.object(first))
     }
 
@@ -139,7 +148,7 @@ impl<'a, R: Real> Bounded<'a, R> {
     /// robust methods. The ray must be a ray. Extents help rays of the eye only.
     #[inline]
     pub fn first_hit(&self, ray: &Ray3<R>, span: Span<R>, counts: &mut impl Tally) -> Option<First<R>> {
-        let query = Query { ray: *ray, span, without: None };
+        let query = Query::new(*ray, span);
         self.first_part(&query, counts).map(|first| self.object(first))
     }
 

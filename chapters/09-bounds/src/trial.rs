@@ -45,7 +45,8 @@ impl Trial {
             Trial::Robust => None,
             Trial::Notes(boxes) => Some((Slabs::new(&query.ray), boxes.as_slice())),
         };
-        Tried { parts, query, without: query.without.unwrap_or(usize::MAX), boxes, nearest: None }
+        let [without, within] = [query.without, query.within].map(|part| part.unwrap_or(usize::MAX));
+        Tried { parts, query, without, within, boxes, nearest: None }
     }
 }
 
@@ -54,6 +55,7 @@ pub(crate) struct Tried<'a, R: Real> {
     parts: &'a Parts<'a, R>,
     query: &'a Query<R>,
     without: usize,
+    within: usize,
     boxes: Option<(Slabs, &'a [Option<Box3>])>,
     nearest: Option<Nearest<R>>,
 }
@@ -79,7 +81,9 @@ impl<R: Real> Tried<'_, R> {
         if self.boxes.is_some() {
             return self.on_by_notes(part);
         }
-        match self.parts.glance(part, &self.query.ray).first_within(self.query.span) {
+        let glance = self.parts.glance(part, &self.query.ray);
+        let glance = if part == self.within { glance.from_within() } else { glance };
+        match glance.first_within(self.query.span) {
             First::None => None,
             First::Between(low, high) => match &self.nearest {
                 Some(nearest) if low > nearest.high => None,

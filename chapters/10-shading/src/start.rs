@@ -115,9 +115,8 @@ impl<R: Real> Starts<R> {
     /// A ray in some direction, not zero, for as far as it goes.
     #[inline(always)]
     pub fn toward(&self, direction: R::Vec3) -> Query<R> {
-        let (origin, without) = self.leaving(direction);
         let span = Span::new(self.first_t(direction), R::INFINITY);
-        Query { ray: Ray3::new(origin, direction), span, without }
+        self.leaving(direction, |origin| Query::new(Ray3::new(origin, direction), span))
     }
 
     /// A ray to a light, which is at λ = 1; `to_light` is the direction in which to leave.
@@ -126,24 +125,25 @@ impl<R: Real> Starts<R> {
     /// is [`bounds::Reach::ULPS`] units of its last digit, the rounding of the direction among them.
     #[inline(always)]
     pub fn to(&self, light: R::Vec3, to_light: R::Vec3) -> Query<R> {
-        let (origin, without) = self.leaving(to_light);
-        let direction = light - origin;
         let digit = 1.0 / (1u64 << R::DIGITS) as f64;
         let before_the_light = R::round_from(1.0 - bounds::Reach::ULPS * digit);
-        let span = Span::new(self.first_t(direction), before_the_light);
-        Query { ray: Ray3::new(origin, direction), span, without }
+        self.leaving(to_light, |origin| {
+            let direction = light - origin;
+            let span = Span::new(self.first_t(direction), before_the_light);
+            Query::new(Ray3::new(origin, direction), span)
+        })
     }
 
-    /// Where a ray in some direction starts, and what need not be tried.
+    /// A query for a ray that leaves in this direction, with what is known of the part that it leaves.
     #[inline(always)]
-    fn leaving(&self, direction: R::Vec3) -> (R::Vec3, Option<usize>) {
+    fn leaving(&self, direction: R::Vec3, from: impl Fn(R::Vec3) -> Query<R>) -> Query<R> {
         let is_inward = self.face_normal.dot(direction) < R::from(0.0);
-        let spared = match self.spared {
-            Spared::BothSides(part) => Some(part),
-            Spared::Outside(part) if !is_inward => Some(part),
-            _ => self.without,
-        };
-        (self.origins[usize::from(is_inward)], spared)
+        let query = from(self.origins[usize::from(is_inward)]);
+        match self.spared {
+            Spared::Nothing => Query { without: self.without, ..query },
+            Spared::Outside(part) if is_inward => Query { within: Some(part), ..query },
+            Spared::Outside(part) | Spared::BothSides(part) => Query { without: Some(part), ..query },
+        }
     }
 
     /// The smallest λ that counts: above 0 in any case.

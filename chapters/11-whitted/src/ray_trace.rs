@@ -79,7 +79,7 @@ impl<'a, R: Real> Tracer<'a, R> {
         if !self.around_eye.is_empty() {
             path.media = Media::of(entered_from_behind(self.scene, &self.around_eye, ray));
         }
-        let query = Query { ray: *ray, span: Span::ahead(), without: None };
+        let query = Query::new(*ray, Span::ahead());
         self.ray_trace(&query, Kind::Eye, 1.0, 1, path, witness)
     }
 

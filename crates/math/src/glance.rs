@@ -54,6 +54,15 @@ impl Around {
 }
 
 impl Glance {
+    /// The same for a ray that is known to start within: where its line enters is behind it.
+    #[inline(always)]
+    pub fn from_within(self) -> Glance {
+        match self {
+            Glance::Twice(_, far) => Glance::Once(far),
+            other => other,
+        }
+    }
+
     /// The first crossing at λ ≥ span.min that is not beyond span.max.
     #[inline(always)]
     pub fn first_within<R: Real>(self, span: Span<R>) -> First {

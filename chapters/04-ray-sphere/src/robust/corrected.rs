@@ -18,9 +18,16 @@ const CORRECTION_ERROR: f64 = 1.0 / (1u64 << 49) as f64;
 /// What the error of a² may be of the numbers that it spoils: u.
 const HARMLESS: f64 = f64::EPSILON / 2.0;
 
-/// The chord, this way or the [third](near_surface); `None` where the error left could matter.
+/// The chord, this way or the [third](near_surface), whose near root may be rough where it is before `from`; `None` where
+/// the error left could matter.
 #[inline(never)]
-pub(super) fn chord(l: [TwoPart; 3], d: [f64; 3], r: f64, a: f64, b: f64, t_close: f64) -> Option<Chord> {
+pub(super) fn chord(
+    l: [TwoPart; 3],
+    d: [f64; 3],
+    r: f64,
+    [a, b, t_close]: [f64; 3],
+    from: f64,
+) -> Option<Chord> {
     let p: [TwoPart; 3] = std::array::from_fn(|axis| {
         let step = two_product(t_close, d[axis]);
         let rest = two_sum(l[axis].hi, -step.hi);
@@ -74,5 +81,5 @@ pub(super) fn chord(l: [TwoPart; 3], d: [f64; 3], r: f64, a: f64, b: f64, t_clos
     let inner = (t_close.abs() - h).abs();
     let spare = 1.5 * inner - h;
     let inner_is_good = spare > 0.0 && spare * spare * a >= p_p && error <= HARMLESS * h * a * inner;
-    if inner_is_good { Some(miss.crossed(h)) } else { near_surface::chord(&miss, p, l, d, r_r) }
+    if inner_is_good { Some(miss.crossed(h)) } else { near_surface::chord(&miss, p, l, d, r_r, from) }
 }

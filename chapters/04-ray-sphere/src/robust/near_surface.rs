@@ -12,6 +12,8 @@ use super::{Certainty, Chord};
 /// The error of C in L·L + r²: seventeen terms, so (34 · 2^−53)³, and as much again for the squares of
 /// what the rounding of L dropped.
 const C_ERROR: f64 = 1.0 / (1u128 << 126) as f64 / (1u64 << 16) as f64;
+/// What the inner root may be off by as a difference, of the outer root: 8u.
+const ROUGH: f64 = 4.0 * f64::EPSILON;
 /// What it may be of C: 2^−54, half a rounding.
 const HARMLESS: f64 = f64::EPSILON / 4.0;
 
@@ -23,31 +25,39 @@ const HARMLESS: f64 = f64::EPSILON / 4.0;
 /// and where h is at most twice that root, as it is for the outer one and where the inner one is half of the outer
 /// or more, that makes 8u. Where it is less, way is h/3 or more and the outer root within 4u; the inner root then has
 /// that and, from C, A, a product and a quotient, 4.5u more: at most 9 ulps.
+///
+/// Where the near root is the inner one and certainly before `from`, nobody asks for it, and it stays t_close − h: off by
+/// at most 8u of the outer root, as everything it is made of is at most that, and most of it is behind the origin then.
+/// (C, which is A times the two, is then too far from zero for the doubt above.)
 pub(super) fn chord(
     hit: &Chord,
     p: [TwoPart; 3],
     l: [TwoPart; 3],
     d: [f64; 3],
     r_r: TwoPart,
+    from: f64,
 ) -> Option<Chord> {
-    let c = c(l, r_r);
-    let l_l: f64 = l.iter().map(|part| part.hi * part.hi).sum();
-    if C_ERROR * (l_l + r_r.hi) > HARMLESS * c.abs() {
-        return None;
-    }
     let a = rounded_dot(d.map(TwoPart::from), d);
     let correction = rounded_dot(p, d) / a;
     let h = (hit.half_chord_squared / a).sqrt();
     let outward = if hit.t_close < 0.0 { -h } else { h };
     let outer = hit.t_close + (correction + outward);
     let difference = hit.t_close + (correction - outward);
+    let hit = Chord { certainty: Certainty::NearSurface, a, correction, h: Some(h), ..*hit };
+    if hit.t_close >= 0.0 && from >= 0.0 && difference + ROUGH * outer < from.min(f64::MIN_POSITIVE) {
+        return Some(Chord { roots: Some(Roots { near: difference, far: outer }), ..hit });
+    }
+    let c = c(l, r_r);
+    let l_l: f64 = l.iter().map(|part| part.hi * part.hi).sum();
+    if C_ERROR * (l_l + r_r.hi) > HARMLESS * c.abs() {
+        return None;
+    }
     let inner = if 2.0 * difference.abs() >= outer.abs() { difference } else { c / (a * outer) };
     let roots = match hit.t_close < 0.0 {
         true => Roots { near: outer, far: inner },
         false => Roots { near: inner, far: outer },
     };
-    let certainty = Certainty::NearSurface;
-    Some(Chord { certainty, a, correction, h: Some(h), c: Some(c), roots: Some(roots), ..*hit })
+    Some(Chord { c: Some(c), roots: Some(roots), ..hit })
 }
 
 /// C = L·L − r²: the squares of both parts of L and twice their product, as exact products.
