@@ -5,8 +5,8 @@ pub fn atan(x: f64) -> f64 {
     libm::atan(x)
 }
 
-/// The angle of the point (`x`, `y`) from the x axis towards the y axis, in radians, from −π to π; 0 at the origin
-/// itself where both are +0.
+/// The angle of the point (`x`, `y`) from the x axis towards the y axis, in radians, from −π to π; 0 at the
+/// origin itself where both are +0.
 pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)
 }
@@ -26,8 +26,8 @@ pub fn ln(x: f64) -> f64 {
     libm::log(x)
 }
 
-/// `x` to the power `y`; 1 where `y` is 0, whatever `x` is, and NaN where a negative `x` is raised to a power that is
-/// not a whole number.
+/// `x` to the power `y`; 1 where `y` is 0, whatever `x` is, and NaN where a negative `x` is raised to a power
+/// that is not a whole number.
 pub fn pow(x: f64, y: f64) -> f64 {
     libm::pow(x, y)
 }

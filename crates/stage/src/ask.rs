@@ -16,8 +16,8 @@ pub trait Chapter: Sync {
     /// [`Error::Request`] where the method cannot serve the request (`edges` with a single column).
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error>;
 
-    /// The precision to show in where the stage is left to choose, see [`Flag::Auto`]: what is asked for, unless a
-    /// chapter knows better.
+    /// The precision to show in where the stage is left to choose, see [`Flag::Auto`]: what is asked for,
+    /// unless a chapter knows better.
     ///
     /// [`Error::Request`] where the request cannot be served at any precision, as by [`Chapter::show`].
     fn precision(&self, ask: &Ask) -> Result<Precision, Error> {
@@ -139,8 +139,8 @@ pub struct Ask {
     pub threads: Option<usize>,
     /// How deep the recursion goes, from 1 to 1000; `None`: as deep as the scene says.
     pub depth: Option<u32>,
-    /// By how much a channel of a pixel may differ for what is left out, in linear radiance; finite and not negative.
-    /// `None`: nothing is left out.
+    /// By how much a channel of a pixel may differ for what is left out, in linear radiance; finite and not
+    /// negative. `None`: nothing is left out.
     pub tolerance: Option<f64>,
     /// Whether to say what the scene requires.
     pub explain: bool,

@@ -31,7 +31,8 @@ impl Color {
     pub const PURPLE: Color = Color([204, 121, 167]);
 }
 
-/// Colors from linear radiance, red, green and blue: what is below 0 or is no number is black, what is above 1 white.
+/// Colors from linear radiance, red, green and blue: what is below 0 or is no number is black, what is above
+/// 1 white.
 impl Color {
     /// The nearest byte to 255 E, halves up, with no gamma.
     pub fn from_linear(rgb: [f64; 3]) -> Color {
@@ -49,7 +50,8 @@ fn clamped(radiance: f64) -> f64 {
     if radiance.is_nan() { 0.0 } else { radiance.clamp(0.0, 1.0) }
 }
 
-/// The transfer curve of sRGB: a straight piece near black, where a power would be infinitely steep. `x` from 0 to 1.
+/// The transfer curve of sRGB: a straight piece near black, where a power would be infinitely steep. `x` from
+/// 0 to 1.
 fn srgb(x: f64) -> f64 {
     if x < 0.0031308 { 12.92 * x } else { 1.055 * portable::pow(x, 1.0 / 2.4) - 0.055 }
 }
@@ -101,7 +103,8 @@ mod tests {
 
     #[test]
     fn the_two_pieces_of_the_curve_meet() {
-        // the standard's constants are rounded: at 0.0031308 the pieces differ by 3e-8, 7 millionths of the step of a byte
+        // the standard's constants are rounded: at 0.0031308 the pieces differ by 3e-8, 7 millionths of the
+        // step of a byte
         let (straight, power) = (12.92 * 0.0031308, srgb(0.0031308));
         assert!((straight - power).abs() * 255.0 < 1e-5, "{straight} {power}");
     }

@@ -12,16 +12,17 @@ const INTERRUPTED: i32 = 130;
 /// The files that this program has begun.
 pub(crate) static UNFINISHED: UnfinishedFiles = UnfinishedFiles(Mutex::new(BTreeSet::new()));
 
-/// From here on Ctrl-C, and what else asks the program to end (SIGTERM, SIGHUP), removes the files that are not finished
-/// and ends it with status 130.
+/// From here on Ctrl-C, and what else asks the program to end (SIGTERM, SIGHUP), removes the files that are
+/// not finished and ends it with status 130.
 ///
-/// Where that cannot be arranged, and under nohup, the program works as before: an interrupt may then leave a hidden
-/// `.part` file.
+/// Where that cannot be arranged, and under nohup, the program works as before: an interrupt may then leave a
+/// hidden `.part` file.
 pub fn clean_up_when_interrupted() {
     // Under nohup a hangup is to be survived, and the handler is not told which signal it was.
     if !hangup_is_ignored(&fs::read_to_string("/proc/self/status").unwrap_or_default()) {
         let _ = ctrlc::set_handler(|| {
-            // Held to the end: nothing is begun after the others are removed, and nobody finds theirs missing.
+            // Held to the end: nothing is begun after the others are removed, and nobody finds theirs
+            // missing.
             let mut places = UNFINISHED.places();
             remove_all(&mut places);
             std::process::exit(INTERRUPTED);
@@ -39,7 +40,8 @@ fn hangup_is_ignored(status: &str) -> bool {
 pub(crate) struct UnfinishedFiles(Mutex<BTreeSet<PathBuf>>);
 
 impl UnfinishedFiles {
-    /// Makes an empty file that is known to be unfinished from the first, so that no interrupt comes in between.
+    /// Makes an empty file that is known to be unfinished from the first, so that no interrupt comes in
+    /// between.
     pub(crate) fn begin(&self, place: PathBuf) -> io::Result<(Unfinished<'_>, File)> {
         let mut places = self.places();
         let file = File::create(&place)?;

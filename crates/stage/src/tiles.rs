@@ -20,8 +20,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// The columns and rows of a whole tile: few enough that the dearest one does not keep the threads waiting for long,
-    /// many enough that dealing tiles out costs nothing beside the work.
+    /// The columns and rows of a whole tile: few enough that the dearest one does not keep the threads
+    /// waiting for long, many enough that dealing tiles out costs nothing beside the work.
     pub const SIDE: u32 = 32;
 }
 
@@ -36,11 +36,13 @@ pub struct Workers {
     pub progress: Option<&'static str>,
 }
 
-/// A value for every pixel of a picture of `size` = (columns, rows), row by row from the top, a tile at a time.
+/// A value for every pixel of a picture of `size` = (columns, rows), row by row from the top, a tile at a
+/// time.
 ///
-/// `work` fills the values of a tile, row by row from its top, each of them T's default until then, and returns what it
-/// counted. `merge` is given those counts in the order of the tiles, row by row from the top left. Both, and so the
-/// whole answer, are the same for every number of threads. A panic in `work` is a panic here.
+/// `work` fills the values of a tile, row by row from its top, each of them T's default until then, and
+/// returns what it counted. `merge` is given those counts in the order of the tiles, row by row from the top
+/// left. Both, and so the whole answer, are the same for every number of threads. A panic in `work` is a
+/// panic here.
 ///
 /// [`Error::Failed`] where the memory for the values or a thread cannot be had; then nothing is merged.
 pub fn tiled<T: Clone + Default + Send, S: Send>(
@@ -65,8 +67,8 @@ fn fill<T: Clone + Default + Send, S: Send>(
 ) -> Result<Vec<S>, Error> {
     let across = width.div_ceil(Tile::SIDE) as usize;
     let tiles = across * height.div_ceil(Tile::SIDE) as usize;
-    // The rows of a tile lie apart in the picture, those of a band of tiles together: a band is lent to one thread at a
-    // time, to copy a finished tile into.
+    // The rows of a tile lie apart in the picture, those of a band of tiles together: a band is lent to one
+    // thread at a time, to copy a finished tile into.
     let width = width as usize;
     let bands: Vec<Mutex<&mut [T]>> =
         all.chunks_mut((Tile::SIDE as usize * width).max(1)).map(Mutex::new).collect();
@@ -108,7 +110,8 @@ fn fill<T: Clone + Default + Send, S: Send>(
     Ok(counted.into_iter().map(|(_, counted)| counted).collect())
 }
 
-/// What each of so many threads returns. Where one of them cannot be had, `give_up` is to end those before it.
+/// What each of so many threads returns. Where one of them cannot be had, `give_up` is to end those before
+/// it.
 fn on_threads<S: Send>(
     threads: usize,
     stack: usize,

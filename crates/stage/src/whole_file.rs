@@ -28,11 +28,11 @@ pub fn write_picture(picture: &Canvas, path: &Path) -> Result<(), Error> {
     })
 }
 
-/// Writes a file under another name in the same folder and renames it when it is complete, so that
-/// whoever looks sees the old file or the new one, whole. A program that is interrupted leaves the old one and nothing
-/// else, see [`clean_up_when_interrupted`](crate::clean_up_when_interrupted). Where `path` is a symbolic link to a
-/// file, that file is replaced. What is there and is no file (a folder, a device, a pipe) is left alone:
-/// [`Error::Failed`].
+/// Writes a file under another name in the same folder and renames it when it is complete, so that whoever
+/// looks sees the old file or the new one, whole. A program that is interrupted leaves the old one and
+/// nothing else, see [`clean_up_when_interrupted`](crate::clean_up_when_interrupted). Where `path` is a
+/// symbolic link to a file, that file is replaced. What is there and is no file (a folder, a device, a pipe)
+/// is left alone: [`Error::Failed`].
 pub fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
     let failed = |error: io::Error| {
         Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error)))

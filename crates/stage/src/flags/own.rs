@@ -27,7 +27,8 @@ pub enum Flag {
     Tolerance,
     /// `--explain`: what the scene requires.
     Explain,
-    /// `--precision` takes `auto` too: the stage chooses, see [`Chapter::precision`](crate::Chapter::precision).
+    /// `--precision` takes `auto` too: the stage chooses, see
+    /// [`Chapter::precision`](crate::Chapter::precision).
     Auto,
 }
 
@@ -52,8 +53,8 @@ impl Flag {
         !matches!(self, Flag::Scene | Flag::Threads | Flag::Auto)
     }
 
-    /// What the stage named `stage` adds to its command line; nothing for [`Flag::Auto`], a word of a flag that every
-    /// stage has.
+    /// What the stage named `stage` adds to its command line; nothing for [`Flag::Auto`], a word of a flag
+    /// that every stage has.
     pub(super) fn arg(self, stage: &str) -> Option<Arg> {
         let arg = Arg::new(self.name()).long(self.name());
         let switch = |help: &'static str| arg.clone().action(ArgAction::SetTrue).help(help);

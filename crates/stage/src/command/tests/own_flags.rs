@@ -5,8 +5,8 @@ use math::Real;
 use super::*;
 use crate::{Chapter, Flag};
 
-/// A chapter with every flag there is, which remembers what it was asked and in which numbers. Left to choose it takes
-/// f32.
+/// A chapter with every flag there is, which remembers what it was asked and in which numbers. Left to choose
+/// it takes f32.
 #[derive(Default)]
 struct Every {
     shown: Mutex<Option<(&'static str, Ask)>>,
