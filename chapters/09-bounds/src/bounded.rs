@@ -6,6 +6,7 @@ use signature::{First, Hit3, Method as Formulas, Scene};
 
 use crate::projected::{Extents, rectangle};
 use crate::trial::{Trial, Tried};
+use crate::wide::{Instructions, Line, Spheres, Version, Work};
 use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
@@ -52,8 +53,8 @@ impl<R: Real> Query<R> {
 /// What is around the objects.
 #[derive(Debug)]
 enum Bounds<R: Real> {
-    /// Nothing.
-    None,
+    /// Nothing: all parts, spheres four at a time and the rest one by one.
+    None { spheres: Vec<Spheres>, rest: Vec<usize>, version: Version },
     /// A sphere around each object; without one it is tried by every ray.
     Spheres(Vec<(usize, Option<Sphere<R>>)>),
     /// A box around each object.
@@ -92,7 +93,14 @@ impl<'a, R: Real> Bounded<'a, R> {
             (0..parts.count()).filter_map(|part| Some((part, parts.bounds(part)?))).unzip()
         };
         let bounds = match method.or_required(parts.count()) {
-            Method::None | Method::Auto => Bounds::None,
+            Method::None | Method::Auto => {
+                let sphere = |part| match parts.shape(part) {
+                    signature::Shape::Sphere(sphere) => Some(*sphere),
+                    _ => None,
+                };
+                let (spheres, rest) = Spheres::blocks((0..parts.count()).map(|part| (part, sphere(part))));
+                Bounds::None { spheres, rest, version: Version::of(Instructions::Best) }
+            }
             Method::Sphere => {
                 let around = |(object, bounds): (usize, Box3)| {
                     // a sphere is its own
@@ -188,8 +196,8 @@ impl<'a, R: Real> Bounded<'a, R> {
         let mut tried = self.trial.begins(&self.parts, query);
         let mut nearest = Nearest::new(*span);
         match &self.bounds {
-            Bounds::None => {
-                try_all::<R, ANY>(0..self.parts.count(), &mut tried, &mut nearest, counts);
+            Bounds::None { spheres, rest, version } => {
+                version.run(All::<R, _, ANY> { spheres, rest, tried: &mut tried, counts });
             }
             Bounds::Spheres(spheres) => {
                 try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
@@ -247,6 +255,46 @@ impl<'a, R: Real> Bounded<'a, R> {
             }
         }
         tried
+    }
+}
+
+/// The loop of the scene signature, over all parts; `ANY`: until something is hit.
+struct All<'a, 'q, R: Real, C, const ANY: bool> {
+    spheres: &'a [Spheres],
+    rest: &'a [usize],
+    tried: &'a mut Tried<'q, R>,
+    counts: &'a mut C,
+}
+
+impl<R: Real, C: Tally, const ANY: bool> Work for All<'_, '_, R, C, ANY> {
+    type Answer = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let line = Line::of(self.tried.ray());
+        for block in self.spheres {
+            self.counts.tests(block.count());
+            let mut candidates = block.candidates(&line);
+            while candidates != 0 {
+                let lane = candidates.trailing_zeros();
+                candidates &= candidates - 1;
+                if self.tried.on(block.part(lane as usize)).is_some() {
+                    self.counts.hit();
+                    if ANY {
+                        return;
+                    }
+                }
+            }
+        }
+        for &part in self.rest {
+            self.counts.tests(1);
+            if self.tried.on(part).is_some() {
+                self.counts.hit();
+                if ANY {
+                    return;
+                }
+            }
+        }
     }
 }
 

@@ -47,7 +47,7 @@ pub use nearest::Nearest;
 pub use parts::Parts;
 pub use slab::{Reach, Slabs};
 pub use tree::Tree;
-pub use wide::Wide;
+pub use wide::{Wide, WideMesh};
 
 #[cfg(test)]
 mod tests;

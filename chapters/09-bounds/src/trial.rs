@@ -9,7 +9,7 @@
 //! in the part's own box, and not before it enters that box: a bound in which that box is leaves no such hit out.
 
 use math::glance::First;
-use math::{Real, Span};
+use math::{Ray3, Real, Span};
 use signature::Method;
 
 use crate::bounded::{FirstPart, Query};
@@ -72,6 +72,12 @@ struct Nearest<R> {
 }
 
 impl<R: Real> Tried<'_, R> {
+    /// The ray.
+    #[inline(always)]
+    pub(crate) fn ray(&self) -> &Ray3<R> {
+        &self.query.ray
+    }
+
     /// Tries one more part. If it is the nearest so far, how far a nearer one can be: λ, or a little more.
     #[inline(always)]
     pub(crate) fn on(&mut self, part: usize) -> Option<R> {

@@ -24,6 +24,7 @@ mod mesh;
 mod node;
 mod robust;
 mod search;
+mod spheres;
 
 use std::ops::RangeInclusive;
 
@@ -32,7 +33,8 @@ use math::{Ray3, Real, Span};
 use crate::tree::build;
 use crate::{Box3, Nearest, Tally, Tree};
 use collapse::{Prices, collapse};
-use dispatch::{Version, Work};
+pub(crate) use dispatch::{Version, Work};
+pub(crate) use spheres::{Line, Spheres};
 use node::{Child, Node};
 use search::{Leaves, Search, Stack};
 

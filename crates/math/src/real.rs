@@ -34,6 +34,8 @@ pub trait Real:
     const INFINITY: Self;
     /// The smallest number above zero (a subnormal one).
     const SMALLEST: Self;
+    /// The squares of lengths that are 1 up to two units of the last digit.
+    const ONE_FOR_SURE: (Self, Self);
     /// A sum of squares from here on has lost none of its digits to squares that vanish.
     const SAFE_SQUARE: Self;
 
@@ -107,13 +109,17 @@ pub trait Vector<R>:
         scaled / scaled.length()
     }
 
-    /// a / ‖a‖, like [`Vector::normalized`], without its detour where no square overflows or vanishes.
+    /// a / ‖a‖, like [`Vector::normalized`], without its detour where no square overflows or vanishes. What is a unit vector
+    /// already, up to two units of the last digit, stays as it is.
     #[inline(always)]
     fn unit(self) -> Self
     where
         R: Real,
     {
         let squared = self.dot(self);
+        if R::ONE_FOR_SURE.0 <= squared && squared <= R::ONE_FOR_SURE.1 {
+            return self;
+        }
         if R::SAFE_SQUARE <= squared && squared < R::INFINITY {
             self / squared.sqrt()
         } else {
@@ -163,6 +169,7 @@ macro_rules! real {
             const DIGITS: u32 = $scalar::MANTISSA_DIGITS;
             const INFINITY: Self = $scalar::INFINITY;
             const SMALLEST: Self = $scalar::from_bits(1);
+            const ONE_FOR_SURE: (Self, Self) = (1.0 - 4.0 * $scalar::EPSILON, 1.0 + 4.0 * $scalar::EPSILON);
             const SAFE_SQUARE: Self = $scalar::MIN_POSITIVE / $scalar::EPSILON;
 
             fn vec2(x: Self, y: Self) -> $vec2 {
