@@ -1,15 +1,17 @@
 //! At a glance: the first way of [`mod@robust`](mod@crate::robust), for who does not need the last digits.
 //!
 //! The verdict is the same, by the same bound: r² − P·P is off by at most 40u (L·L + r²). What t may be off by, in lengths of
-//! the direction, with S = √((L·L + r²)/A):
+//! the direction:
 //!
 //! | number | is off by | because |
 //! | --- | --- | --- |
-//! | t_close | 9u S | B, 1/A and a product |
+//! | t_close | 9u S, with S = √((L·L + r²)/A) | B, 1/A and a product |
 //! | h = √(a²/A) | h (E/a²) and 4u h | a square root halves a relative error E/a², which is below ½; its own roundings |
 //! | t_close ∓ h | u (t_close + h) | its sum, and both are at most S |
 //!
-//! which is less than 16u S + h E/a².
+//! which is less than 16u S + h E/a². Two things save a root and a quotient. L·L is t_close² A + P·P, and P·P is at most r²
+//! where the line crosses, so S ≤ |t_close| + √2 r/‖d‖. And unless the line grazes, E/a² is at most a fixed share: where a² is
+//! less than 2⁻²⁰ (L·L + r²), a glance is not enough.
 
 use math::{Around, Glance, Ray3, Real, Vector};
 
@@ -17,36 +19,103 @@ use crate::Sphere;
 
 /// u, the relative error of one operation.
 const UNIT: f64 = f64::EPSILON / 2.0;
-/// The error of r² − P·P in L·L + r²: more than 40u.
+/// The error of r² − P·P in L·L + r²: more than 40u. L·L − r² is not as far off.
 const ERROR: f64 = 64.0 * UNIT;
+/// What a² is of L·L + r² at least, where the line does not graze.
+const GRAZING: f64 = 1.0 / (1u64 << 20) as f64;
+/// E/a² is at most this, then.
+const OF_H: f64 = ERROR / GRAZING;
 /// Between these, neither a square nor the errors of its products overflow or vanish.
 const SAFE_SQUARE: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
 
-/// Whether the line of the ray meets the sphere, and roughly where.
+/// The line of a ray, with what it takes for any sphere.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    o: [f64; 3],
+    d: [f64; 3],
+    /// 1/A
+    one_over_a: f64,
+    /// √2/‖d‖, rounded up.
+    root_two_over_d: f64,
+    /// A is a number that neither overflows nor vanishes.
+    is_safe: bool,
+}
+
+/// How a line passes the center of a sphere.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage {
+    /// t_close = L·d / A
+    pub t_close: f64,
+    /// a² = r² − P·P
+    pub half_chord_squared: f64,
+    /// L·L + r², of which the error is a share.
+    pub scale: f64,
+    /// The sphere is surely not met ahead of the origin: the line passes by it, or leaves it behind.
+    pub is_missed: bool,
+    /// The numbers are such that their errors are as they are bounded.
+    pub is_safe: bool,
+}
+
+impl Line {
+    /// The line of a ray.
+    #[inline(always)]
+    pub fn of<R: Real>(ray: &Ray3<R>) -> Line {
+        let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
+        let a = dot(d, d);
+        let one_over_a = 1.0 / a;
+        let root_two_over_d = one_over_a.sqrt() * 1.5;
+        Line { o, d, one_over_a, root_two_over_d, is_safe: SAFE_SQUARE.contains(&a) }
+    }
+
+    /// Past a sphere with the center c and the squared radius r², which must neither overflow nor vanish.
+    #[inline(always)]
+    pub fn past(&self, c: [f64; 3], r_r: f64) -> Passage {
+        let Line { o, d, .. } = *self;
+        let l = [c[0] - o[0], c[1] - o[1], c[2] - o[2]];
+        let (b, l_l) = (dot(l, d), dot(l, l));
+        let t_close = b * self.one_over_a;
+        let p = [l[0] - t_close * d[0], l[1] - t_close * d[1], l[2] - t_close * d[2]];
+        let half_chord_squared = r_r - dot(p, p);
+        let scale = l_l + r_r;
+        let error = ERROR * scale;
+        // from outside, and away from the center
+        let is_left = (b <= 0.0) & (l_l - r_r > error);
+        let is_safe = self.is_safe & (l_l <= *SAFE_SQUARE.end());
+        let is_missed = ((half_chord_squared < -error) | is_left) & is_safe;
+        Passage { t_close, half_chord_squared, scale, is_missed, is_safe }
+    }
+
+    /// What that says.
+    #[inline(always)]
+    pub fn glance(&self, passage: &Passage, r: f64) -> Glance {
+        let Passage { t_close, half_chord_squared, scale, is_missed, is_safe } = *passage;
+        if is_missed {
+            return Glance::Misses;
+        }
+        // NaN fails the test
+        if !(is_safe && half_chord_squared >= GRAZING * scale) {
+            return Glance::Unsure;
+        }
+        let h = (half_chord_squared * self.one_over_a).sqrt();
+        let off = 16.0 * UNIT * (t_close.abs() + self.root_two_over_d * r) + OF_H * h;
+        Glance::Twice(Around { t: t_close - h, off }, Around { t: t_close + h, off })
+    }
+}
+
+/// Whether the ray meets the sphere ahead, and roughly where its line crosses it.
 #[inline(always)]
-pub fn glance<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Glance {
-    let [o, d, c] = [ray.origin, ray.direction, sphere.center].map(Vector::in_f64::<3>);
-    let r: f64 = sphere.radius.into();
-    let l: [f64; 3] = std::array::from_fn(|axis| c[axis] - o[axis]);
-    let (a, b, l_l, r_r) = (dot(d, d), dot(l, d), dot(l, l), r * r);
-    // NaN fails the test
-    if !(SAFE_SQUARE.contains(&r_r) && SAFE_SQUARE.contains(&a) && l_l <= *SAFE_SQUARE.end()) {
-        return Glance::Unsure;
+pub fn glance<R: Real>(line: &Line, sphere: &Sphere<R>) -> Glance {
+    let (c, r): ([f64; 3], f64) = (sphere.center.in_f64(), sphere.radius.into());
+    let r_r = r * r;
+    match SAFE_SQUARE.contains(&r_r) {
+        true => line.glance(&line.past(c, r_r), r),
+        false => Glance::Unsure,
     }
-    let one_over_a = 1.0 / a;
-    let t_close = b * one_over_a;
-    let p: [f64; 3] = std::array::from_fn(|axis| l[axis] - t_close * d[axis]);
-    let half_chord_squared = r_r - dot(p, p);
-    let error = ERROR * (l_l + r_r);
-    if half_chord_squared < -error {
-        return Glance::Misses;
-    }
-    if half_chord_squared <= 2.0 * error {
-        return Glance::Unsure;
-    }
-    let h = (half_chord_squared * one_over_a).sqrt();
-    let off = 16.0 * UNIT * ((l_l + r_r) * one_over_a).sqrt() + h * (error / half_chord_squared);
-    Glance::Twice(Around { t: t_close - h, off }, Around { t: t_close + h, off })
+}
+
+/// Whether a sphere's radius may be squared, see [`Line::past`].
+pub fn is_safe(r: f64) -> bool {
+    SAFE_SQUARE.contains(&(r * r))
 }
 
 /// a · b

@@ -37,7 +37,7 @@ use math::{Degenerate, Hit, Ray3, Real, Roots, Span, Vector};
 
 pub use batched::{Batched, batched};
 pub use closest_approach::{ClosestApproach, closest_approach, closest_approach_of_unit};
-pub use glance::glance;
+pub use glance::{Line, glance};
 pub use half_quadratic::{HalfQuadratic, half_quadratic};
 pub use quadratic::{Quadratic, quadratic};
 pub use robust::{Robust, robust};

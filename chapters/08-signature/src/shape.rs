@@ -4,7 +4,7 @@ use affine::Deformed;
 use math::{Degenerate, Glance, Parallel, Ray3, Real, Span};
 use quadric::open::OpenCone;
 use ray_plane::{Meeting, Plane};
-use ray_sphere::Sphere;
+use ray_sphere::{Line, Sphere};
 use triangle::Triangle;
 use triangle::mesh::Mesh;
 use triangle::polygon::{Polygon, Rule};
@@ -72,14 +72,18 @@ impl<R: Real> Shape<R> {
     }
 
     /// What plain `f64` says of the robust method's answer at a glance: nothing, for most shapes. Of a mesh it is asked face by
-    /// face. The ray must be a ray.
+    /// face. The ray must be a ray, and `line` its line.
     #[inline(always)]
-    pub fn glance(&self, ray: &Ray3<R>) -> Glance {
+    pub fn glance(&self, ray: &Ray3<R>, line: &Line) -> Glance {
         match self {
             Shape::Plane(plane) => ray_plane::glance(ray, plane),
-            Shape::Sphere(sphere) => ray_sphere::glance(ray, sphere),
+            Shape::Sphere(sphere) => ray_sphere::glance(line, sphere),
             Shape::Triangle(triangle) => triangle::glance(ray, triangle),
-            _ => Glance::Unsure,
+            Shape::Polygon(polygon) => match ray_plane::glance(ray, &polygon.plane()) {
+                Glance::Once(crossing) => Glance::Perhaps(crossing),
+                other => other,
+            },
+            Shape::Mesh(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => Glance::Unsure,
         }
     }
 

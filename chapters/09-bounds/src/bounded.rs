@@ -6,7 +6,7 @@ use signature::{First, Hit3, Method as Formulas, Scene};
 
 use crate::projected::{Extents, rectangle};
 use crate::trial::{Trial, Tried};
-use crate::wide::{Instructions, Line, Spheres, Version, Work};
+use crate::wide::{Instructions, Spheres, Version, Work};
 use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
@@ -149,7 +149,7 @@ impl<'a, R: Real> Bounded<'a, R> {
     #[inline]
     pub fn seen(&self, pixel: (u32, u32), counts: &mut impl Tally) -> Option<First<R>> {
         let query = Query::new(self.scene.ray(pixel), Span::ahead());
-        self.search::<false>(&query, Some(pixel), counts).first().map(|first| self.object(first))
+        self.first(&query, Some(pixel), counts).map(|first| self.object(first))
     }
 
     /// What any ray hits first in `span`, which must not begin below 0: the same as [`fn@signature::first_hit`] by the
@@ -163,13 +163,13 @@ impl<'a, R: Real> Bounded<'a, R> {
     /// The part that is hit first, `None` where nothing is; on a tie the earlier one.
     #[inline]
     pub fn first_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<FirstPart<R>> {
-        self.search::<false>(query, None, counts).first()
+        self.first(query, None, counts)
     }
 
     /// The same, with the point and the normal: λ is worked out once, for the part that is hit.
     #[inline]
     pub fn first_hit_of(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<(usize, Hit3<R>)> {
-        let (part, lambda) = self.search::<false>(query, None, counts).nearest()?;
+        let (part, lambda) = self.search::<false>(query, None, counts)?;
         let span = Span::new(query.span.min, lambda.unwrap_or(query.span.max));
         Some((part, self.parts.whole_hit(self.formulas(), part, &query.ray, span)?))
     }
@@ -178,63 +178,90 @@ impl<'a, R: Real> Bounded<'a, R> {
     /// depends on the bounds.
     #[inline]
     pub fn any_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<usize> {
-        self.search::<true>(query, None, counts).nearest().map(|(part, _)| part)
+        self.search::<true>(query, None, counts).map(|(part, _)| part)
     }
 
     fn object(&self, first: FirstPart<R>) -> First<R> {
         First { object: self.parts.object(first.part), lambda: first.lambda }
     }
 
-    #[inline]
-    fn search<'q, const ANY: bool>(
-        &'q self,
-        query: &'q Query<R>,
+    fn first(
+        &self,
+        query: &Query<R>,
         pixel: Option<(u32, u32)>,
         counts: &mut impl Tally,
-    ) -> Tried<'q, R> {
-        let Query { ray, span, .. } = query;
+    ) -> Option<FirstPart<R>> {
+        let (part, lambda) = self.search::<false>(query, pixel, counts)?;
+        let lambda = lambda.or_else(|| self.parts.hit(part, &query.ray, query.span))?;
+        Some(FirstPart { part, lambda })
+    }
+
+    /// The part that is hit first, or `ANY`, and its λ where it was worked out to its last digit.
+    #[inline]
+    fn search<const ANY: bool>(
+        &self,
+        query: &Query<R>,
+        pixel: Option<(u32, u32)>,
+        counts: &mut impl Tally,
+    ) -> Option<(usize, Option<R>)> {
         let mut tried = self.trial.begins(&self.parts, query);
-        let mut nearest = Nearest::new(*span);
         match &self.bounds {
             Bounds::None { spheres, rest, version } => {
                 version.run(All::<R, _, ANY> { spheres, rest, tried: &mut tried, counts });
             }
+            bounds => self.search_bounded::<ANY>(bounds, query, pixel, &mut tried, counts),
+        }
+        tried.nearest()
+    }
+
+    fn search_bounded<const ANY: bool>(
+        &self,
+        bounds: &Bounds<R>,
+        query: &Query<R>,
+        pixel: Option<(u32, u32)>,
+        tried: &mut Tried<'_, R>,
+        counts: &mut impl Tally,
+    ) {
+        let Query { ray, span, .. } = query;
+        let mut nearest = Nearest::new(*span);
+        match bounds {
+            Bounds::None { .. } => {}
             Bounds::Spheres(spheres) => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                 let reach = Reach::of(*span);
                 for (object, sphere) in spheres {
                     // "only test intersections with objects if there exists a positive intersection with the bounding
                     // volume"
                     counts.boxes(1);
                     if !sphere.as_ref().is_some_and(|sphere| passes(ray, sphere, reach)) {
-                        try_all::<R, ANY>(self.parts.of_object(*object), &mut tried, &mut nearest, counts);
+                        try_all::<R, ANY>(self.parts.of_object(*object), tried, &mut nearest, counts);
                     }
                 }
             }
             Bounds::Boxes(boxes) => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                 let slabs = Slabs::new(ray);
                 for (object, bounds) in boxes {
                     counts.boxes(1);
                     if slabs.enter(bounds, nearest.reach).is_some() {
-                        try_all::<R, ANY>(self.parts.of_object(*object), &mut tried, &mut nearest, counts);
+                        try_all::<R, ANY>(self.parts.of_object(*object), tried, &mut nearest, counts);
                     }
                 }
             }
             Bounds::Extents(extents) => match pixel {
                 Some((col, row)) => {
-                    try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
+                    try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                     for (object, seen) in extents.in_row(row) {
                         counts.boxes(1);
                         if seen.cols.contains(&col) && seen.rows.contains(&row) {
-                            try_all::<R, ANY>(self.parts.of_object(*object), &mut tried, &mut nearest, counts);
+                            try_all::<R, ANY>(self.parts.of_object(*object), tried, &mut nearest, counts);
                         }
                     }
                 }
-                None => try_all::<R, ANY>(0..self.parts.count(), &mut tried, &mut nearest, counts),
+                None => try_all::<R, ANY>(0..self.parts.count(), tried, &mut nearest, counts),
             },
             Bounds::Tree { tree, parts } => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                 if !(ANY && nearest.index.is_some()) {
                     let test = |at: usize, _| tried.on(parts[at]);
                     match ANY {
@@ -244,7 +271,7 @@ impl<'a, R: Real> Bounded<'a, R> {
                 }
             }
             Bounds::Wide { wide, parts } => {
-                try_all::<R, ANY>(self.unbounded.iter().copied(), &mut tried, &mut nearest, counts);
+                try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                 if !(ANY && nearest.index.is_some()) {
                     let test = |at: usize, _| tried.on(parts[at]);
                     match ANY {
@@ -254,7 +281,6 @@ impl<'a, R: Real> Bounded<'a, R> {
                 }
             }
         }
-        tried
     }
 }
 
@@ -271,14 +297,15 @@ impl<R: Real, C: Tally, const ANY: bool> Work for All<'_, '_, R, C, ANY> {
 
     #[inline(always)]
     fn run(self) {
-        let line = Line::of(self.tried.ray());
+        let line = self.tried.line();
         for block in self.spheres {
             self.counts.tests(block.count());
-            let mut candidates = block.candidates(&line);
+            let past = block.past(&line);
+            let mut candidates = past.candidates;
             while candidates != 0 {
                 let lane = candidates.trailing_zeros();
                 candidates &= candidates - 1;
-                if self.tried.on(block.part(lane as usize)).is_some() {
+                if self.tried.on_sphere(block, &past, lane as usize).is_some() {
                     self.counts.hit();
                     if ANY {
                         return;

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use math::{Glance, Ray3, Real, Span, Vector};
+use ray_sphere::Line;
 use signature::{Hit3, Method, Scene, Shape};
 
 use crate::Box3;
@@ -78,11 +79,11 @@ impl<'a, R: Real> Parts<'a, R> {
 
     /// What plain `f64` says of that at a glance, see [`Shape::glance`].
     #[inline(always)]
-    pub fn glance(&self, part: usize, ray: &Ray3<R>) -> Glance {
+    pub fn glance(&self, part: usize, ray: &Ray3<R>, line: &Line) -> Glance {
         let Part { object, face } = self.all[part];
         match &self.scene.objects[object as usize].shape {
             Shape::Mesh(mesh) => triangle::glance(ray, &mesh.triangle(face as usize)),
-            shape => shape.glance(ray),
+            shape => shape.glance(ray, line),
         }
     }
 

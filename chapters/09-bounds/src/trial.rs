@@ -9,10 +9,12 @@
 //! in the part's own box, and not before it enters that box: a bound in which that box is leaves no such hit out.
 
 use math::glance::First;
-use math::{Ray3, Real, Span};
+use math::{Glance, Real, Span};
+use ray_sphere::Line;
 use signature::Method;
 
-use crate::bounded::{FirstPart, Query};
+use crate::bounded::Query;
+use crate::wide::{Passages, Spheres};
 use crate::{Box3, Parts, Reach, Slabs};
 
 /// By which formulas.
@@ -43,10 +45,10 @@ impl Trial {
     pub(crate) fn begins<'a, R: Real>(&'a self, parts: &'a Parts<'a, R>, query: &'a Query<R>) -> Tried<'a, R> {
         let boxes = match self {
             Trial::Robust => None,
-            Trial::Notes(boxes) => Some((Slabs::new(&query.ray), boxes.as_slice())),
+            Trial::Notes(boxes) => Some(boxes.as_slice()),
         };
         let [without, within] = [query.without, query.within].map(|part| part.unwrap_or(usize::MAX));
-        Tried { parts, query, without, within, boxes, nearest: None }
+        Tried { parts, query, line: Line::of(&query.ray), without, within, boxes, nearest: None }
     }
 }
 
@@ -54,9 +56,10 @@ impl Trial {
 pub(crate) struct Tried<'a, R: Real> {
     parts: &'a Parts<'a, R>,
     query: &'a Query<R>,
+    line: Line,
     without: usize,
     within: usize,
-    boxes: Option<(Slabs, &'a [Option<Box3>])>,
+    boxes: Option<&'a [Option<Box3>]>,
     nearest: Option<Nearest<R>>,
 }
 
@@ -72,10 +75,10 @@ struct Nearest<R> {
 }
 
 impl<R: Real> Tried<'_, R> {
-    /// The ray.
+    /// The line of the ray.
     #[inline(always)]
-    pub(crate) fn ray(&self) -> &Ray3<R> {
-        &self.query.ray
+    pub(crate) fn line(&self) -> Line {
+        self.line
     }
 
     /// Tries one more part. If it is the nearest so far, how far a nearer one can be: λ, or a little more.
@@ -87,7 +90,25 @@ impl<R: Real> Tried<'_, R> {
         if self.boxes.is_some() {
             return self.on_by_notes(part);
         }
-        let glance = self.parts.glance(part, &self.query.ray);
+        let glance = self.parts.glance(part, &self.query.ray, &self.line);
+        self.on_at_a_glance(part, glance)
+    }
+
+    /// The same for a sphere in a block, of which somebody has seen how the line passes it.
+    #[inline(always)]
+    pub(crate) fn on_sphere(&mut self, block: &Spheres, past: &Passages, lane: usize) -> Option<R> {
+        let part = block.part(lane);
+        if part == self.without {
+            return None;
+        }
+        if self.boxes.is_some() {
+            return self.on_by_notes(part);
+        }
+        self.on_at_a_glance(part, block.glance(&self.line, past, lane))
+    }
+
+    #[inline(always)]
+    fn on_at_a_glance(&mut self, part: usize, glance: Glance) -> Option<R> {
         let glance = if part == self.within { glance.from_within() } else { glance };
         match glance.first_within(self.query.span) {
             First::None => None,
@@ -125,12 +146,12 @@ impl<R: Real> Tried<'_, R> {
 
     #[inline(never)]
     fn on_by_notes(&mut self, part: usize) -> Option<R> {
-        let (slabs, boxes) = self.boxes.as_ref()?;
+        let boxes = self.boxes?;
         let Query { ray, span, .. } = self.query;
         let max = self.nearest.as_ref().and_then(|nearest| nearest.lambda).unwrap_or(span.max);
         let span = Span::new(span.min, max);
         let enters = match &boxes[part] {
-            Some(bounds) => slabs.enter(bounds, Reach::of(span))?,
+            Some(bounds) => Slabs::new(ray).enter(bounds, Reach::of(span))?,
             None => 0.0,
         };
         let lambda = self.parts.whole_hit(Method::Notes, part, ray, span)?.t;
@@ -147,13 +168,5 @@ impl<R: Real> Tried<'_, R> {
     #[inline(always)]
     pub(crate) fn nearest(&self) -> Option<(usize, Option<R>)> {
         self.nearest.as_ref().map(|nearest| (nearest.part, nearest.lambda))
-    }
-
-    /// The nearest part with its λ to the last digit.
-    #[inline(always)]
-    pub(crate) fn first(&self) -> Option<FirstPart<R>> {
-        let (part, lambda) = self.nearest()?;
-        let lambda = lambda.or_else(|| self.parts.hit(part, &self.query.ray, self.query.span))?;
-        Some(FirstPart { part, lambda })
     }
 }

@@ -34,7 +34,7 @@ use crate::tree::build;
 use crate::{Box3, Nearest, Tally, Tree};
 use collapse::{Prices, collapse};
 pub(crate) use dispatch::{Version, Work};
-pub(crate) use spheres::{Line, Spheres};
+pub(crate) use spheres::{Passages, Spheres};
 use node::{Child, Node};
 use search::{Leaves, Search, Stack};
 

@@ -13,6 +13,8 @@ pub enum Glance {
     Misses,
     /// It crosses something flat.
     Once(Around),
+    /// If it is met, then here; whether it is takes more than a glance.
+    Perhaps(Around),
     /// It crosses something round, into it and out of it.
     Twice(Around, Around),
     /// Too close to call, or no question for plain `f64`.
@@ -78,6 +80,10 @@ impl Glance {
         match self {
             Glance::Misses => First::None,
             Glance::Once(crossing) => one(crossing),
+            Glance::Perhaps(crossing) => match one(crossing) {
+                First::None => First::None,
+                _ => First::Unsure,
+            },
             Glance::Twice(near, far) => match near.range::<R>() {
                 (_, high) if high < min => one(far),
                 _ => one(near),
@@ -107,6 +113,8 @@ mod tests {
             assert_eq!(first(min, max), First::Unsure, "{min} {max}");
         }
         assert_eq!(Glance::Misses.first_within(Span::<f64>::ahead()), First::None);
+        assert_eq!(Glance::Perhaps(around(1.0)).first_within(Span::new(0.0, 9.0)), First::Unsure);
+        assert_eq!(Glance::Perhaps(around(1.0)).first_within(Span::new(2.0, 9.0)), First::None);
         assert_eq!(Glance::Once(around(0.1)).first_within(Span::<f64>::ahead()), First::Unsure);
     }
 }
