@@ -11,7 +11,7 @@
 //! - [`Start::Scaled`]: from p̄, and what is nearer than the rounding of its coordinates does not count. That
 //!   knows where p̄ is, not how p̄ came about, nor that a ray along the surface gets away from it slowly.
 //! - [`Start::Bound`]: p̄ is put back on the surface, as well as its numbers allow ([`mod@foot`]); how far it may still be
-//!   off follows from the shape. Twice that along the normal, to the side where the ray goes, and it starts outside.
+//!   off follows from the shape. By so much along the normal, to the side where the ray goes, and it starts outside.
 //! - [`Start::Exclude`]: from p̄, and what it is on does not count, however far. But a ray within a sphere has to meet it.
 
 pub mod foot;
@@ -98,7 +98,13 @@ impl Spared {
 impl<R: Real> Starts<R> {
     /// Where the rays start from a point on `shape`, which was met by the formulas of `formulas`.
     #[inline]
-    pub fn of(start: Start, formulas: Method, shape: &Shape<R>, face: Option<usize>, landing: &Landing<R>) -> Starts<R> {
+    pub fn of(
+        start: Start,
+        formulas: Method,
+        shape: &Shape<R>,
+        face: Option<usize>,
+        landing: &Landing<R>,
+    ) -> Starts<R> {
         let p = landing.point;
         let zero = R::from(0.0);
         let from_p =
@@ -151,7 +157,9 @@ impl<R: Real> Starts<R> {
     fn first_t(&self, direction: R::Vec3) -> R {
         if self.skipped > R::from(0.0) {
             let t = self.skipped / direction.length();
-            if t > R::SMALLEST { return t }
+            if t > R::SMALLEST {
+                return t;
+            }
         }
         R::SMALLEST
     }
