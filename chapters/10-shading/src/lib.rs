@@ -18,6 +18,8 @@ pub mod from_file;
 pub mod landing;
 pub mod lighting;
 pub mod material;
+#[cfg(feature = "stage")]
+mod measure;
 pub mod normal;
 pub mod phong;
 pub mod rgb;

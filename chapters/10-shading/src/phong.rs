@@ -99,7 +99,14 @@ mod tests {
     #[test]
     fn as_printed_a_far_light_is_brighter() {
         let at = |far: f64| {
-            phong::<f64>(&MATERIAL, Rgb::WHITE, Rgb::WHITE, DVec3::Y, DVec3::new(3.0, 4.0, 0.0) * far, DVec3::Y)
+            phong::<f64>(
+                &MATERIAL,
+                Rgb::WHITE,
+                Rgb::WHITE,
+                DVec3::Y,
+                DVec3::new(3.0, 4.0, 0.0) * far,
+                DVec3::Y,
+            )
         };
         assert_eq!(at(1.0).diffuse, at(16.0).diffuse);
         let as_printed = |far: f64| DVec3::Y.dot(DVec3::new(3.0, 4.0, 0.0) * far);
@@ -111,7 +118,10 @@ mod tests {
     fn powers() {
         assert_eq!(power(0.75, 3.0), 27.0 / 64.0);
         assert_eq!(power(0.5, 32.0), (2.0_f64).powi(-32));
-        assert_eq!((power(0.0, 0.0), power(0.5, 0.0), power(0.0, 0.5), power(1.0, 1e300)), (1.0, 1.0, 0.0, 1.0));
+        assert_eq!(
+            (power(0.0, 0.0), power(0.5, 0.0), power(0.0, 0.5), power(1.0, 1e300)),
+            (1.0, 1.0, 0.0, 1.0)
+        );
         assert!((power(0.25, 2.5) - 1.0 / 32.0).abs() < 1e-17);
     }
 }

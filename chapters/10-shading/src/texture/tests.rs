@@ -46,7 +46,8 @@ fn a_transform_carries_the_texture() {
 #[test]
 fn a_picture_repeats_from_its_top_left() {
     let pixels = vec![[255, 0, 0], [0, 51, 0]].into();
-    let it = Textured { mapping: Mapping::Triangle, texture: Texture::Image { size: (2, 1), pixels, scale: 2.0 } };
+    let it =
+        Textured { mapping: Mapping::Triangle, texture: Texture::Image { size: (2, 1), pixels, scale: 2.0 } };
     let (red, green) = (Rgb([1.0, 0.0, 0.0]), Rgb([0.0, 0.2, 0.0]));
     for (u, want) in [(0.0, red), (0.9, red), (1.0, green), (2.0, red), (-0.5, green), (-1e-300, green)] {
         assert_eq!(it.color(u, 0.25), want, "{u}");
