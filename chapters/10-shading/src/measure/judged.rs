@@ -67,8 +67,7 @@ fn case<R: Real>(object: &Object<R>, bounded: &Bounded<'_, R>, draw: &mut Draw) 
     let direction = R::vec3(x, y, z);
     ray.check().ok()?;
     let query = Query { ray, span: Span::ahead(), without: None };
-    let first = bounded.first_part(&query, &mut Uncounted)?;
-    let landing = Landing::of(bounded, &ray, first, false)?;
+    let landing = Landing::of(bounded, &query, &mut Uncounted, |_| false)?;
     let turned = landing.turned_toward(ray.direction);
     if matches!(object.shape(), Shape::OpenCone(_)) && !turned.from_outside {
         return None;
@@ -112,7 +111,7 @@ pub(crate) fn faults<R: Real>(
     let (shape, face) = (parts.shape(landing.part), parts.face(landing.part));
     let starts = Starts::of(start, bounded.formulas(), shape, face, landing);
     let query = starts.toward(*direction);
-    let met = bounded.first_part(&query, &mut Uncounted);
+    let met = Landing::of(bounded, &query, &mut Uncounted, |_| false);
     match object.way {
         Way::Leaves => {
             let misses = |shell: &Shape<R>| shell.hit(Method::Robust, &query.ray, query.span).is_none();
@@ -121,8 +120,7 @@ pub(crate) fn faults<R: Real>(
         Way::Enters => {
             // where the ray comes in it has met the surface that it started from
             let comes_in = |landing: Landing<R>| landing.face_normal.dot(*direction) < R::from(0.0);
-            let landing = met.and_then(|met| Landing::of(bounded, &query.ray, met, false));
-            (landing.is_some_and(comes_in), met.is_none())
+            (met.is_some_and(comes_in), met.is_none())
         }
     }
 }
