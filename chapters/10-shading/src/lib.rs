@@ -14,22 +14,36 @@
 //! that people use and the one that follows from how large the error can be.
 
 #[cfg(feature = "stage")]
+mod explain;
+#[cfg(feature = "stage")]
 pub mod from_file;
 pub mod landing;
+#[cfg(feature = "stage")]
+mod layout;
 pub mod lighting;
 pub mod material;
 #[cfg(feature = "stage")]
 mod measure;
 pub mod normal;
+#[cfg(feature = "stage")]
+mod own;
 pub mod phong;
+#[cfg(feature = "stage")]
+mod picture;
+#[cfg(feature = "stage")]
+mod render;
+#[cfg(feature = "stage")]
+mod report;
 pub mod rgb;
 pub mod scene;
 pub mod shadow;
+#[cfg(feature = "stage")]
+pub mod stage;
 pub mod start;
 pub mod texture;
 
 pub use landing::Landing;
-pub use lighting::{Fate, Lighting};
+pub use lighting::{Fate, Lighting, Point};
 pub use material::Material;
 pub use phong::{Phong, phong};
 pub use rgb::Rgb;

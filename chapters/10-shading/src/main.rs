@@ -1,3 +1,5 @@
-//! The stage `shading`: see the library.
+//! `cargo run -p shading`: see [`shading::stage`].
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    stage::main(&shading::stage::Shading)
+}

@@ -11,6 +11,7 @@ use lab::{Effort, Nanoseconds, Pass, Progress, Runner, asked_for, front, time};
 use math::Real;
 use stage::{Error, Precision, TradeAsk};
 
+use crate::start::Spared;
 use crate::{Start, Starts};
 use judged::{Case, Faults};
 use object::Object;
@@ -91,14 +92,18 @@ fn at_precision<R: Real>(
     Ok(all.map(|((start, ns), faults)| Entry { start, precision, ns, faults, on_front: false }).collect())
 }
 
-/// Second rays, from where they start to what they meet.
+/// Second rays, from where they start to what they meet. By `bound` as they are used: what is convex and left behind is not
+/// tried, see [`Spared`].
 fn runner<'a, R: Real>(bounded: &'a Bounded<'a, R>, start: Start, cases: &'a [Case<R>]) -> Runner<'a> {
     Box::new(move |_, count| {
         let cases = &cases[..count.min(cases.len())];
         for Case { landing, direction } in cases {
             let parts = bounded.all_parts();
             let (shape, face) = (parts.shape(landing.part), parts.face(landing.part));
-            let starts = Starts::of(start, bounded.formulas(), shape, face, landing);
+            let mut starts = Starts::of(start, bounded.formulas(), shape, face, landing);
+            if start == Start::Bound {
+                starts.spared = Spared::of(shape, landing.part);
+            }
             black_box(bounded.any_part(&starts.toward(*direction), &mut Uncounted));
         }
         cases.len()

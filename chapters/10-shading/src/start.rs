@@ -54,7 +54,7 @@ impl Start {
 }
 
 /// The customary offset, in units of the scene, whatever those are.
-pub const CUSTOMARY: f32 = 1e-3;
+pub const CUSTOMARY: f64 = 1e-3;
 
 /// Where the rays start that leave one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,8 +89,12 @@ impl Spared {
     /// What rays need not be tried on that start from this part.
     pub fn of<R: Real>(shape: &Shape<R>, part: usize) -> Spared {
         match shape {
-            Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) | Shape::Mesh(_) => Spared::BothSides(part),
-            Shape::Sphere(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => Spared::Outside(part),
+            Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) | Shape::Mesh(_) => {
+                Spared::BothSides(part)
+            }
+            Shape::Sphere(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => {
+                Spared::Outside(part)
+            }
         }
     }
 }
@@ -107,11 +111,16 @@ impl<R: Real> Starts<R> {
     ) -> Starts<R> {
         let p = landing.point;
         let zero = R::from(0.0);
-        let from_p =
-            Starts { origins: [p, p], face_normal: landing.face_normal, skipped: zero, without: None, spared: Spared::Nothing };
+        let from_p = Starts {
+            origins: [p, p],
+            face_normal: landing.face_normal,
+            skipped: zero,
+            without: None,
+            spared: Spared::Nothing,
+        };
         match start {
             Start::None => from_p,
-            Start::Fixed => Starts { skipped: R::from(CUSTOMARY), ..from_p },
+            Start::Fixed => Starts { skipped: R::round_from(CUSTOMARY), ..from_p },
             Start::Scaled => Starts { skipped: last_digits(p), ..from_p },
             Start::Exclude => Starts { without: Some(landing.part), ..from_p },
             Start::Bound => Starts { origins: foot::of(formulas, shape, face, landing).origins(), ..from_p },

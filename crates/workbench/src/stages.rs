@@ -13,6 +13,7 @@ pub static ALL: &[&dyn Stage] = &[
     &affine::stage::Affine,
     &signature::stage::Signature,
     &bounds::stage::BoundsStage,
+    &shading::stage::Shading,
 ];
 
 /// The names of them all.

@@ -69,7 +69,11 @@ fn records_are_the_contracts() {
                 let value = record.get(key).unwrap_or_else(|| panic!("no {key}: {record}"));
                 assert_eq!(value.is_null(), !is_of_rays, "{key}: {record}");
             }
-            let time = if is_of_rays { "ns_per_ray" } else { "ns_per_pixel" };
+            let time = match stage.about().name {
+                _ if is_of_rays => "ns_per_ray",
+                "shading" => "ns_per_second_ray",
+                _ => "ns_per_pixel",
+            };
             assert!(record[time].as_f64().is_some_and(|ns| ns > 0.0), "{record}");
             assert!(!is_of_rays || record["wrong_decisions"].as_u64() <= Some(200), "{record}");
         }
@@ -155,6 +159,7 @@ fn another_seed_measures_other_cases() {
             // a seed only says which pixels of the same picture are looked at, and they see the same object
             "signature" => continue,
             "bounds" => "hits_per_test",
+            "shading" => "acne_per_million",
             _ => "error",
         };
         let [one, other] = ["1", "2"].map(|seed| {

@@ -87,6 +87,7 @@ pub(crate) const REGIMES: [Regime; 24] = [
 ];
 
 /// How many of them are the scenes of the bar.
+#[cfg(test)]
 pub(crate) const OF_THE_BAR: usize = 5;
 
 const fn sphere(name: &'static str, what: &'static str, size: f64, distance: f64) -> Regime {

@@ -1,0 +1,163 @@
+//! n⃗ three ways, where the shape has three.
+
+use affine::{Deformed, Object};
+use math::{Ray3, Real, Vector};
+use quadric::Shape as Solid;
+use signature::Shape;
+use stage::{Section, Transcript, Value};
+
+use crate::normal::{Smooth, by_gradient, by_tangents};
+use crate::{Landing, Lighting};
+
+/// The normals of the surface, and the one that is shaded with.
+pub(super) fn explain<R: Real>(
+    transcript: &mut Transcript,
+    lighting: &Lighting<'_, R>,
+    ray: &Ray3<R>,
+    landing: &Landing<R>,
+) {
+    let section = transcript.section("The normal, three ways", "CSC418 11.6");
+    let (parts, n) = (lighting.bounded.all_parts(), landing.face_normal);
+    match parts.shape(landing.part) {
+        Shape::Sphere(sphere) => {
+            let x = (landing.point - sphere.center) / sphere.radius;
+            section.vector::<R>("x̄", "(p̄ − c̄) / r, on the unit sphere", x);
+            both::<R>(section, Smooth::Sphere, x, n, |n| n);
+        }
+        Shape::Solid(solid) => solids::<R>(section, of(*solid), *solid, landing.point, n, |n| n),
+        Shape::Deformed(deformed) => of_deformed(section, deformed, landing.point, n),
+        Shape::Triangle(triangle) => {
+            let (a, b) = (triangle.p2 - triangle.p1, triangle.p3 - triangle.p1);
+            tangents_of_flat::<R>(section, a, b, n);
+        }
+        Shape::Mesh(mesh) => {
+            let triangle = mesh.triangle(parts.face(landing.part).unwrap_or(0));
+            tangents_of_flat::<R>(section, triangle.p2 - triangle.p1, triangle.p3 - triangle.p1, n);
+            if mesh.normals().is_some() {
+                section
+                    .vector::<R>("n⃗", "interpolated between the corners", landing.normal)
+                    .number("n⃗·n⃗_face", "", landing.normal.dot(n))
+                    .note("1 where the surface is as flat as its face");
+            }
+        }
+        Shape::Plane(plane) => {
+            section.vector::<R>("∇f", "n⃗ of (p̄ − p̄1)·n⃗ = 0", plane.normal);
+            section.vector::<R>("n⃗", "∇f / ‖∇f‖", n);
+        }
+        Shape::Polygon(_) | Shape::OpenCone(_) => {
+            section.vector::<R>("n⃗", "as its method has it", n);
+        }
+    }
+    let turned = landing.turned_toward(ray.direction);
+    section.vector::<R>("n⃗", "turned toward the viewer", turned.n).note(match turned.from_outside {
+        true => "it already is",
+        false => "the ray comes from the other side",
+    });
+}
+
+fn of(solid: Solid) -> Smooth {
+    match solid {
+        Solid::Cylinder => Smooth::Cylinder,
+        Solid::Cone => Smooth::Cone,
+    }
+}
+
+/// Gradient and tangents of a smooth unit shape, carried into the world, beside what the method of the shape says.
+fn both<R: Real>(
+    section: &mut Section,
+    shape: Smooth,
+    x: R::Vec3,
+    n: R::Vec3,
+    carried: impl Fn(R::Vec3) -> R::Vec3,
+) {
+    let gradient = by_gradient::<R>(shape, x);
+    let first = carried(gradient.n);
+    section.vector::<R>("∇f", f_of(shape), gradient.gradient);
+    section.vector::<R>("n⃗", "∇f / ‖∇f‖", first);
+    let tangents = by_tangents::<R>(shape, x);
+    if !tangents.n.is_finite() {
+        section.step("∂s/∂α", "along the parallel of latitude", Value::text("none"));
+        section.note("on the axis every α is the same point");
+        return;
+    }
+    let second = carried(tangents.n);
+    section
+        .vector::<R>("∂s/∂α", "around the axis", tangents.along_alpha)
+        .vector::<R>("∂s/∂β", "along it", tangents.along_beta)
+        .vector::<R>("cross", "∂s/∂α × ∂s/∂β", tangents.cross);
+    section.note(if tangents.was_turned {
+        "inward: turned"
+    } else {
+        "outward: the sign is that of the order of α and β"
+    });
+    section
+        .vector::<R>("n⃗", "∂s/∂α × ∂s/∂β at unit length, outward", second)
+        .vector::<R>("n⃗", "by the method that found λ*", n)
+        .number(
+            "apart",
+            "the largest distance between the three",
+            [first - second, first - n, second - n]
+                .into_iter()
+                .map(|v| v.length())
+                .fold(R::from(0.0), |a, b| if b > a { b } else { a }),
+        );
+    section.note("a rounding or two of the p̄ that they are taken at");
+}
+
+fn f_of(shape: Smooth) -> &'static str {
+    match shape {
+        Smooth::Sphere => "of f = x² + y² + z² − 1",
+        Smooth::Cylinder => "of f = x² + y² − 1",
+        Smooth::Cone => "of f = x² + y² − ¼(1 − z)²",
+    }
+}
+
+/// A solid's wall is smooth, its caps are flat.
+fn solids<R: Real>(
+    section: &mut Section,
+    smooth: Smooth,
+    solid: Solid,
+    x: R::Vec3,
+    n: R::Vec3,
+    carried: impl Fn(R::Vec3) -> R::Vec3,
+) {
+    let [_, _, z] = R::xyz(x);
+    let zero = R::from(0.0);
+    let up = carried(R::vec3(zero, zero, R::from(1.0)));
+    // a wall's normal is farther from the axis than a cap's, which is the axis
+    let along = up.dot(n);
+    let is_cap = match solid {
+        Solid::Cylinder => along * along > R::from(0.5) && z * z > R::from(0.5),
+        Solid::Cone => along < zero && z < R::from(0.5),
+    };
+    if is_cap {
+        let cap = R::vec3(zero, zero, if z > R::from(0.5) { R::from(1.0) } else { R::from(-1.0) });
+        section.vector::<R>("∇f", "of f = ± z − h, a cap", cap).vector::<R>("n⃗", "∇f / ‖∇f‖", n);
+        return;
+    }
+    both::<R>(section, smooth, x, n, carried);
+}
+
+fn of_deformed<R: Real>(section: &mut Section, deformed: &Deformed<R>, p: R::Vec3, n: R::Vec3) {
+    let x = deformed.inverse.times(p - deformed.affine.t);
+    section.vector::<R>("x̄", "A⁻¹ (p̄ − t), in the object's own space", x);
+    let carried = |n| deformed.inverse.transposed_times(n).normalized();
+    section.remark("Each n⃗ is carried into the world by A⁻ᵀ, and then has length 1 (CSC418 11.6.1).");
+    match deformed.object {
+        Object::Sphere => both::<R>(section, Smooth::Sphere, x, n, carried),
+        Object::Cylinder => solids::<R>(section, Smooth::Cylinder, Solid::Cylinder, x, n, carried),
+        Object::Cone => solids::<R>(section, Smooth::Cone, Solid::Cone, x, n, carried),
+        Object::Plane | Object::Triangle => {
+            section.vector::<R>("n⃗", "A⁻ᵀ (0, 0, 1) at unit length", n);
+        }
+    }
+}
+
+/// p̄(α, β) = p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1)
+fn tangents_of_flat<R: Real>(section: &mut Section, a: R::Vec3, b: R::Vec3, n: R::Vec3) {
+    section
+        .vector::<R>("∂p̄/∂α", "p̄2 − p̄1", a)
+        .vector::<R>("∂p̄/∂β", "p̄3 − p̄1", b)
+        .vector::<R>("cross", "∂p̄/∂α × ∂p̄/∂β", R::cross(a, b))
+        .vector::<R>("n⃗_face", "at unit length", n);
+}

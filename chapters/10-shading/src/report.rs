@@ -1,0 +1,124 @@
+//! What was measured, as records, as a table to read, and as the trade plot.
+
+use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
+use lab::table::{aligned, short, three_digits};
+use stage::{Drawing, Field, Record, Sheet, Traded};
+
+use crate::measure::{Entry, Measured};
+
+/// The table with what to take from it, the contract's records, and the plot `trade.svg`.
+pub(crate) fn traded(measured: &[Measured], seed: u64) -> Traded {
+    let plot = Drawing { ending: "trade.svg", sheet: Sheet::Svg(trade_svg(&plot(measured))) };
+    let records = measured.iter().flat_map(|it| it.entries.iter().map(|entry| record(it, entry, seed)));
+    Traded { text: text(measured, seed), records: records.collect(), drawings: vec![plot] }
+}
+
+/// The contract's fields, those about a single hit empty; then those about second rays.
+fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
+    let Entry { start, precision, ns, faults, on_front } = entry;
+    let per_million = |count: u64| Field::Number(faults.per_million(count));
+    vec![
+        ("method", Field::Text(start.name().to_string())),
+        ("precision", Field::Text(precision.name().to_string())),
+        ("regime", Field::Text(measured.regime.name.to_string())),
+        ("ns_per_ray", Field::Nothing),
+        ("cases", Field::Count(faults.cases)),
+        ("wrong_decisions", Field::Nothing),
+        ("t_ulp_median", Field::Nothing),
+        ("t_ulp_p99", Field::Nothing),
+        ("t_ulp_max", Field::Nothing),
+        ("pareto", Field::Flag(*on_front)),
+        ("ns_per_second_ray", Field::Number(ns.median)),
+        ("ns_low", Field::Number(ns.low)),
+        ("ns_high", Field::Number(ns.high)),
+        ("acne_per_million", per_million(faults.acne)),
+        ("leaks_per_million", faults.leaks.map_or(Field::Nothing, per_million)),
+        ("size", Field::Number(measured.regime.size)),
+        ("distance", Field::Number(measured.regime.distance)),
+        ("seed", Field::Count(seed)),
+    ]
+}
+
+fn plot(measured: &[Measured]) -> TradePlot {
+    let mark = |entry: &Entry| Mark {
+        method: entry.start.name().to_string(),
+        precision: entry.precision,
+        ns: entry.ns.median,
+        error: entry.faults.share(),
+        wrong: entry.faults.acne + entry.faults.leaks.unwrap_or(0),
+        cases: entry.faults.cases,
+        on_front: entry.on_front,
+    };
+    let panels = measured.iter().map(|it| Panel {
+        name: it.regime.name.to_string(),
+        what: it.regime.what.to_string(),
+        marks: it.entries.iter().map(mark).collect(),
+    });
+    TradePlot {
+        title: "Where a second ray starts: speed for acne and leaks".to_string(),
+        subtitle: "ns a second ray, from its start to what it meets: the median over rounds in which all take turns. What is \
+                   true is known of a shape that stands alone."
+            .to_string(),
+        words: Words {
+            unit: "second ray",
+            error: ["error: the share of second rays", "with acne or a leak"],
+            wrong: "second rays with acne or a leak",
+        },
+        panels: panels.collect(),
+    }
+}
+
+fn text(measured: &[Measured], seed: u64) -> String {
+    let mut text = format!("shading · trade · seed {seed}\n");
+    text += "ns: a second ray, from its start to what it meets of a shape that stands alone, the median and its quartiles.\n\
+             acne: per million, those that meet the surface that they leave. leaks: per million, those that miss what is 1e-4 of the\n\
+             size above it all around, or the other side of the solid that they enter.\n\
+             bound is judged with everything tried, and timed as it is used: what is convex and left behind is not tried again.\n\
+             ★: on the Pareto front: nothing else is at least as fast and as right, and better in one.\n";
+    for it in measured {
+        text += "\n";
+        text += &table(it);
+    }
+    text + "\n" + &what_to_take(measured)
+}
+
+const HEADS: [&str; 6] = ["method", "", "ns", "", "acne/M", "leaks/M"];
+
+/// One scene: its name, what it is, and a line a method and precision.
+fn table(Measured { regime, entries }: &Measured) -> String {
+    let cases = entries.iter().map(|entry| entry.faults.cases).max().unwrap_or(0);
+    let heads = HEADS.map(str::to_string).to_vec();
+    let cells = |Entry { start, precision, ns, faults, .. }: &Entry| {
+        vec![
+            start.name().to_string(),
+            precision.name().to_string(),
+            three_digits(ns.median),
+            format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
+            short(faults.per_million(faults.acne)),
+            faults.leaks.map_or("–".to_string(), |leaks| short(faults.per_million(leaks))),
+        ]
+    };
+    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
+    let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
+    format!("{}: {} · {cases} rays\n{}", regime.name, regime.what, aligned(&lines, &starred))
+}
+
+/// For each scene the fastest that is never wrong, at each precision.
+fn what_to_take(measured: &[Measured]) -> String {
+    let mut text = "What to take: the fastest with neither acne nor a leak\n".to_string();
+    let width = measured.iter().map(|it| it.regime.name.chars().count()).max().unwrap_or(0);
+    for Measured { regime, entries } in measured {
+        let said = stage::Precision::ALL.into_iter().filter_map(|precision| {
+            let mut of_precision = entries.iter().filter(|entry| entry.precision == precision).peekable();
+            of_precision.peek()?;
+            let right = of_precision.filter(|entry| entry.faults.acne + entry.faults.leaks.unwrap_or(0) == 0);
+            let take = right.min_by(|a, b| a.ns.median.total_cmp(&b.ns.median));
+            let take = take.map_or("none of these".to_string(), |it| {
+                format!("{}, {} ns", it.start.name(), three_digits(it.ns.median))
+            });
+            Some(format!("{} {take}", precision.name()))
+        });
+        text += &format!("  {:<width$}  {}\n", regime.name, said.collect::<Vec<_>>().join("; "));
+    }
+    text
+}
