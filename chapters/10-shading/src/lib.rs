@@ -50,3 +50,6 @@ pub use rgb::Rgb;
 pub use scene::{Light, Painted, Scene};
 pub use start::{Start, Starts};
 pub use texture::{Texture, Textured};
+
+#[cfg(all(test, feature = "stage"))]
+mod tests;

@@ -113,6 +113,17 @@ mod tests {
         assert_eq!(as_printed(16.0), 16.0 * as_printed(1.0));
     }
 
+    /// Slip 17, by hand: the light is below the surface, s = (3, −4, 0)/5, and m = (−3, −4, 0)/5. A viewer at
+    /// (−24, 7, 0)/25 above it has c·m = (72 − 28)/125, and E as printed a highlight on the dark side.
+    #[test]
+    fn as_printed_there_is_a_highlight_on_the_dark_side() {
+        let (to_light, c) = (DVec3::new(3.0, -4.0, 0.0), DVec3::new(-0.96, 0.28, 0.0));
+        let it = phong::<f64>(&MATERIAL, Rgb::WHITE, Rgb::WHITE, DVec3::Y, to_light, c);
+        assert!((it.c_dot_m - 44.0 / 125.0).abs() < 1e-15 && it.n_dot_s < 0.0);
+        assert_eq!(it.diffuse, Rgb::BLACK);
+        assert!(it.specular.0[0] > 0.0, "as printed; `Lighting` asks for n·s > 0 first, for both terms");
+    }
+
     /// Exact powers: 0.75³ = 27/64, 0.5^32 = 2⁻³². And x^2.5 = x² √x.
     #[test]
     fn powers() {

@@ -26,3 +26,40 @@ pub fn blocker<R: Real>(
     }
     bounded.any_part(&query, counts)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use math::{Ray3, Span};
+    use ray_sphere::{Sphere, robust};
+
+    const BALL: Sphere<f64> = Sphere { center: DVec3::ZERO, radius: 1.0 };
+
+    /// Slip 16, by hand: the top of the unit sphere, and a light straight above it. λ = 0 is the point itself, and
+    /// 0 ≤ λ ≤ 1 has it in.
+    #[test]
+    fn as_printed_a_point_is_in_its_own_shadow() {
+        let to_light = Ray3::<f64>::new(DVec3::Y, DVec3::new(0.0, 4.0, 0.0));
+        let met = |span| robust(&to_light, &BALL).hit(span).unwrap().map(|hit| hit.t);
+        assert_eq!(met(Span::new(0.0, 1.0)), Some(0.0), "as printed");
+        assert_eq!(met(Span::new(f64::from_bits(1), 1.0)), None, "0 < λ, as the pseudo-code has it");
+    }
+
+    /// And its other end: a light on a ball, as seen from the ground, is at λ = 1, and so is the ball.
+    #[test]
+    fn as_printed_a_light_on_a_surface_is_behind_it() {
+        let light = DVec3::new(0.0, -1.0, 0.0);
+        let from_below = Ray3::<f64>::new(DVec3::new(0.0, -3.0, 0.0), DVec3::new(0.0, 2.0, 0.0));
+        assert_eq!(robust(&from_below, &BALL).hit(Span::new(0.0, 1.0)).unwrap().map(|hit| hit.t), Some(1.0));
+        let starts = Starts {
+            origins: [from_below.origin; 2],
+            face_normal: DVec3::Y,
+            skipped: 0.0,
+            without: None,
+            spared: crate::start::Spared::Nothing,
+        };
+        let span = starts.to(light, from_below.direction).span;
+        assert_eq!(robust(&from_below, &BALL).hit(span).unwrap(), None);
+    }
+}
