@@ -7,20 +7,26 @@
 //! [`mod@even_odd`] is the page's rule put right, and [`mod@winding`] its rival, which differs where a polygon
 //! overlaps itself.
 
+mod at_once;
+mod bounds;
 mod check;
 pub mod crossing;
 pub mod even_odd;
 mod newell;
 mod on_plane;
+mod passage;
 pub mod star;
+mod strips;
 pub mod winding;
 
 use math::{Degenerate, Parallel, Ray3, Real, Span, Vector};
 use ray_plane::{Meeting, Plane};
 
 use crate::Hit3;
+use at_once::AtOnce;
 pub use check::NotAPolygon;
 pub use even_odd::{EvenOdd, even_odd};
+use strips::Strips;
 pub use winding::{Winding, winding};
 
 /// A planar polygon of three corners or more: convex or not, and it may touch or overlap itself.
@@ -33,6 +39,10 @@ pub struct Polygon<R: Real> {
     plane: Plane<R>,
     axes: [usize; 2],
     outline: Vec<[R; 2]>,
+    /// Two corners of a rectangle around the outline.
+    rectangle: [[f64; 2]; 2],
+    /// Which sides to ask, for an outline of many.
+    strips: Option<Box<Strips>>,
 }
 
 /// The two ways to tell inside from outside.
@@ -66,8 +76,14 @@ impl<R: Real> Polygon<R> {
         let plane = Plane { point: corners[0], normal };
         check::planar(&corners, &plane)?;
         let axes = axes_of::<R>(normal);
-        let outline = corners.iter().map(|&corner| flat::<R>(corner, axes)).collect();
-        Ok(Polygon { corners, plane, axes, outline })
+        let outline: Vec<[R; 2]> = corners.iter().map(|&corner| flat::<R>(corner, axes)).collect();
+        let along = |axis: usize| outline.iter().map(move |corner| corner[axis].into());
+        let rectangle = [
+            [0, 1].map(|axis| along(axis).fold(f64::INFINITY, f64::min)),
+            [0, 1].map(|axis| along(axis).fold(f64::NEG_INFINITY, f64::max)),
+        ];
+        let strips = Strips::of(&along(1).collect::<Vec<f64>>());
+        Ok(Polygon { corners, plane, axes, outline, rectangle, strips })
     }
 
     /// Its corners, in order.
@@ -121,9 +137,33 @@ impl<R: Real> Polygon<R> {
     /// exactly: two polygons that share a side let no ray through between them.
     ///
     /// `None` for a miss, which a parallel ray is too; [`Degenerate`] for a ray that is none.
+    ///
+    /// What is behind the origin, or far beside the outline in plain `f64`, needs no more; and that most are.
+    #[inline]
     pub fn hit(&self, ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        let on_plane = ray_plane::robust(ray, &self.plane).hit(span)?;
-        Ok(on_plane.filter(|_| on_plane::holds(self, Rule::EvenOdd, ray)))
+        if span.min >= R::from(0.0) && self.is_level_behind(ray) {
+            return ray.check().map(|()| None);
+        }
+        let point = AtOnce::of(self, ray);
+        if let Some(point) = &point
+            && (point.is_before_or_after(span)
+                || point.is_outside(self.rectangle)
+                || !on_plane::holds(self, Rule::EvenOdd, ray, Some(point)))
+        {
+            return Ok(None);
+        }
+        let hit = ray_plane::robust(ray, &self.plane).hit(span)?;
+        Ok(hit.filter(|_| point.is_some() || on_plane::holds(self, Rule::EvenOdd, ray, None)))
+    }
+
+    /// Whether the plane is at right angles to an axis and the ray leads away from it: two comparisons tell, exactly.
+    /// A ray that leaves the polygon itself is the hardest for everything else.
+    #[inline(always)]
+    fn is_level_behind(&self, ray: &Ray3<R>) -> bool {
+        let [u, v] = self.axes;
+        let (w, zero) = (3 - u - v, R::from(0.0));
+        let [n, p, a, d] = [self.plane.normal, self.plane.point, ray.origin, ray.direction].map(R::xyz);
+        n[u] == zero && n[v] == zero && (a[w] > p[w] && d[w] > zero || a[w] < p[w] && d[w] < zero)
     }
 
     /// The same by another method for the plane, or another rule for the inside, asked of the point r̄(λ*) as it is
@@ -137,35 +177,6 @@ impl<R: Real> Polygon<R> {
     ) -> Result<Option<Hit3<R>>, Degenerate> {
         let on_plane = plane_by.work(ray, &self.plane).hit(span)?;
         Ok(on_plane.filter(|hit| self.holds(rule, hit.point)))
-    }
-
-    /// Two corners of a box around all points of the plane that [`Polygon::hit`] takes for inside.
-    ///
-    /// On the axes of the outline that is the outline. Along the third the corners may be a little off the plane, so
-    /// the box goes to where the plane passes over them: x_w = p_w − (n_u (x_u − p_u) + n_v (x_v − p_v))/n_w, whose
-    /// few roundings are less than 8 units of the last digit of its largest part.
-    pub fn bounds(&self) -> [[f64; 3]; 2] {
-        let [u, v] = self.axes;
-        let w = 3 - u - v;
-        let [p, n]: [[f64; 3]; 2] = [self.plane.point, self.plane.normal].map(Vector::in_f64);
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for corner in &self.corners {
-            let x: [f64; 3] = corner.in_f64();
-            let parts = [n[u] / n[w] * (x[u] - p[u]), n[v] / n[w] * (x[v] - p[v])];
-            let off = 8.0 * f64::EPSILON * (p[w].abs() + parts[0].abs() + parts[1].abs());
-            let over = p[w] - parts[0] - parts[1];
-            for axis in 0..3 {
-                let (least, most) = match () {
-                    _ if axis != w => (x[axis], x[axis]),
-                    // where the numbers overflow: anywhere
-                    _ if over.is_nan() => (f64::NEG_INFINITY, f64::INFINITY),
-                    _ => (over - off, over + off),
-                };
-                low[axis] = low[axis].min(least).min(x[axis]);
-                high[axis] = high[axis].max(most).max(x[axis]);
-            }
-        }
-        [low, high]
     }
 }
 
@@ -184,5 +195,7 @@ fn flat<R: Real>(point: R::Vec3, [u, v]: [usize; 2]) -> [R; 2] {
     [point[u], point[v]]
 }
 
+#[cfg(test)]
+mod sweep;
 #[cfg(test)]
 mod tests;

@@ -1,134 +1,88 @@
-//! Where a ray passes the plane of a polygon, against its sides: exactly.
+//! Where a ray passes the plane of a polygon, against its sides: each one as carefully as it takes.
 //!
-//! The rounded point r̄(λ*) may lie on the other side of a side than the true one, and a ray aimed at an edge that two
-//! polygons share slips through between them. So the point is not worked out at all: with D = d · n and
-//! N = (p̄1 − ā) · n it is ā + (N/D) d, and each question about it, multiplied by D, is the sign of a sum of products
-//! of the numbers as given. [`math::Sure`] tells that sign exactly.
+//! In plain `f64` ([`mod@at_once`](super::at_once)) nearly every side is certain, and [`mod@strips`](super::strips) say
+//! which ones there are to ask. What is in doubt is told exactly ([`mod@passage`](super::passage)).
 
-use std::cmp::Ordering;
+use math::{Ray3, Real};
 
-use math::{Bounded, Exact, Ray3, Real, Sure, TwoPart, Vector};
-
-use super::crossing::{Relation, Way, sides};
+use super::at_once::AtOnce;
+use super::crossing::{Relation, Way};
+use super::passage::Passage;
 use super::{Polygon, Rule};
 
 /// Whether the line of a ray passes the plane within the polygon, its boundary included. The ray must be finite and
 /// not parallel to the plane.
-pub(super) fn holds<R: Real>(polygon: &Polygon<R>, rule: Rule, ray: &Ray3<R>) -> bool {
-    let passage = Passage::of(polygon, ray);
-    let (mut crossed, mut number) = (0, 0);
-    for [p, q] in sides(&polygon.outline) {
-        match passage.relation(p.map(Into::into), q.map(Into::into)) {
+///
+/// With the point in plain `f64` at hand only the sides are asked that reach its height, and only those exactly that
+/// it leaves in doubt.
+#[inline(always)]
+pub(super) fn holds<R: Real>(
+    polygon: &Polygon<R>,
+    rule: Rule,
+    ray: &Ray3<R>,
+    point: Option<&AtOnce>,
+) -> bool {
+    let outline = polygon.outline.as_slice();
+    let mut count = Count { polygon, ray, point, passage: None, crossed: 0, number: 0 };
+    let strips = polygon.strips.as_ref().zip(point);
+    let few = strips.and_then(|(strips, point)| strips.sides_between(point.low[1], point.high[1]));
+    let is_on_side = match few {
+        Some(few) => few.iter().any(|&side| {
+            let side = side as usize;
+            let next = if side + 1 < outline.len() { side + 1 } else { 0 };
+            count.is_on(outline[side], outline[next])
+        }),
+        None => {
+            let mut p = outline[outline.len() - 1];
+            outline.iter().any(|&q| count.is_on(std::mem::replace(&mut p, q), q))
+        }
+    };
+    is_on_side
+        || match rule {
+            Rule::EvenOdd => count.crossed % 2 == 1,
+            Rule::Winding => count.number != 0,
+        }
+}
+
+/// Where the point is with respect to a side, exactly.
+#[cfg(test)]
+pub(super) fn relation<R: Real>(polygon: &Polygon<R>, ray: &Ray3<R>, p: [f64; 2], q: [f64; 2]) -> Relation {
+    Passage::of(polygon, ray).relation(p, q)
+}
+
+/// What s(t) has crossed so far.
+struct Count<'a, R: Real> {
+    polygon: &'a Polygon<R>,
+    ray: &'a Ray3<R>,
+    point: Option<&'a AtOnce>,
+    /// Made when the first side is in doubt.
+    passage: Option<Passage>,
+    crossed: u32,
+    number: i32,
+}
+
+impl<R: Real> Count<'_, R> {
+    /// Whether the point is on a side; if it crosses it, that is counted.
+    #[inline(always)]
+    fn is_on(&mut self, p: [R; 2], q: [R; 2]) -> bool {
+        let [p, q] = [p, q].map(|corner| corner.map(Into::<f64>::into));
+        let at_once = self.point.and_then(|point| point.relation(p, q));
+        match at_once.unwrap_or_else(|| self.exactly(p, q)) {
             Relation::Apart => {}
             Relation::OnSide => return true,
             Relation::Crosses(way) => {
-                crossed += 1;
-                number += if way == Way::Up { 1 } else { -1 };
+                self.crossed += 1;
+                self.number += if way == Way::Up { 1 } else { -1 };
             }
         }
-    }
-    match rule {
-        Rule::EvenOdd => crossed % 2 == 1,
-        Rule::Winding => number != 0,
-    }
-}
-
-/// A ray, a plane, and the two axes on which its points are looked at.
-struct Passage {
-    /// ā
-    a: [f64; 3],
-    d: [f64; 3],
-    /// p̄1
-    p_1: [f64; 3],
-    n: [f64; 3],
-    axes: [usize; 2],
-    /// D and N in plain `f64`, which is enough for most questions.
-    at_once: [Bounded<f64>; 2],
-    /// The sign of D.
-    rises: Ordering,
-}
-
-/// What is asked of the point x̄ = ā + (N/D) d.
-#[derive(Clone, Copy)]
-enum Question {
-    /// The sign of D itself.
-    Rise,
-    /// The sign of x_i − c, times D, on one of the two axes.
-    Beyond(usize, f64),
-    /// The sign of (q̄ − p̄) × (x̄ − p̄), times D: is x̄ to the left of the side?
-    LeftOf([f64; 2], [f64; 2]),
-}
-
-impl Passage {
-    fn of<R: Real>(polygon: &Polygon<R>, ray: &Ray3<R>) -> Passage {
-        let [a, d, p_1, n] =
-            [ray.origin, ray.direction, polygon.plane.point, polygon.plane.normal].map(Vector::in_f64::<3>);
-        let nothing = [0.0; 2].map(Bounded::<f64>::of);
-        let mut passage =
-            Passage { a, d, p_1, n, axes: polygon.axes, at_once: nothing, rises: Ordering::Equal };
-        passage.at_once = passage.rise_and_way();
-        passage.rises = passage.sign(Question::Rise);
-        passage
+        false
     }
 
-    /// D = d · n and N = (p̄1 − ā) · n.
-    fn rise_and_way<N: Sure>(&self) -> [N; 2] {
-        let n = self.n.map(N::of);
-        let way: [N; 3] = std::array::from_fn(|axis| N::difference(self.p_1[axis], self.a[axis]));
-        [N::dot(&self.d.map(N::of), &n), N::dot(&way, &n)]
-    }
-
-    /// What a question asks the sign of.
-    fn value<N: Sure>(&self, question: Question, [rise, way]: [N; 2]) -> N {
-        // D (x_i − c) = D (a_i − c) + N d_i
-        let beyond = |axis: usize, c: f64| {
-            let axis = self.axes[axis];
-            rise.clone() * N::difference(self.a[axis], c) + way.clone() * N::of(self.d[axis])
-        };
-        match question {
-            Question::Rise => rise,
-            Question::Beyond(axis, c) => beyond(axis, c),
-            Question::LeftOf(p, q) => {
-                let [side_u, side_v] = [0, 1].map(|axis| N::difference(q[axis], p[axis]));
-                side_u * beyond(1, p[1]) - side_v * beyond(0, p[0])
-            }
-        }
-    }
-
-    /// The sign that a question asks for, exactly.
-    fn sign(&self, question: Question) -> Ordering {
-        let at_once = self.value(question, self.at_once).sign();
-        let sign = at_once.or_else(|| self.value::<Bounded<TwoPart>>(question, self.rise_and_way()).sign());
-        sign.or_else(|| self.value::<Exact>(question, self.rise_and_way()).sign()).unwrap_or(Ordering::Equal)
-    }
-
-    /// The sign that a question asks for, less the sign of D in it.
-    fn true_sign(&self, question: Question) -> Ordering {
-        let sign = self.sign(question);
-        if self.rises == Ordering::Less { sign.reverse() } else { sign }
-    }
-
-    /// Where x̄ is with respect to a side, as [`relation`](super::crossing::relation) says it for a point.
-    fn relation(&self, p: [f64; 2], q: [f64; 2]) -> Relation {
-        let [over_p, over_q] = [p, q].map(|end| self.true_sign(Question::Beyond(1, end[1])));
-        if over_p == over_q && over_p != Ordering::Equal {
-            return Relation::Apart;
-        }
-        // a side along s(t) has a line to the left of nothing: x̄ is on it if it is between its ends
-        if p[1] == q[1] {
-            let [right_of_p, right_of_q] = [p, q].map(|end| self.true_sign(Question::Beyond(0, end[0])));
-            let is_between = right_of_p != right_of_q || right_of_p == Ordering::Equal;
-            return if is_between { Relation::OnSide } else { Relation::Apart };
-        }
-        // p_v ≤ x_v < q_v: the lower end belongs to the side, the upper one does not
-        let goes_up = over_p != Ordering::Less && over_q == Ordering::Less;
-        let goes_down = over_q != Ordering::Less && over_p == Ordering::Less;
-        match self.true_sign(Question::LeftOf(p, q)) {
-            Ordering::Equal => Relation::OnSide,
-            Ordering::Greater if goes_up => Relation::Crosses(Way::Up),
-            Ordering::Less if goes_down => Relation::Crosses(Way::Down),
-            _ => Relation::Apart,
-        }
+    #[cold]
+    #[inline(never)]
+    fn exactly(&mut self, p: [f64; 2], q: [f64; 2]) -> Relation {
+        let passage = self.passage.get_or_insert_with(|| Passage::of(self.polygon, self.ray));
+        passage.relation(p, q)
     }
 }
 
@@ -183,7 +137,10 @@ mod tests {
                 let ray = Ray3::new(origin, direction * scale);
                 // 1e-3 and 1e200 are no powers of two: what is exactly on the boundary is only so with 1
                 if scale == 1.0 || truth.is_some() {
-                    assert_eq!(holds(&polygon, Rule::EvenOdd, &ray), truth.unwrap_or(true), "{ray:?}");
+                    for point in [None, AtOnce::of(&polygon, &ray)] {
+                        let holds = holds(&polygon, Rule::EvenOdd, &ray, point.as_ref());
+                        assert_eq!(holds, truth.unwrap_or(true), "{ray:?}");
+                    }
                 }
             }
             inside += u64::from(truth == Some(true));
