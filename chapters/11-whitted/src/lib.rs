@@ -23,6 +23,8 @@ pub mod refract;
 pub mod render;
 pub mod requirements;
 pub mod scene;
+#[cfg(feature = "stage")]
+pub mod scenes;
 pub mod tolerance;
 pub mod tree;
 pub mod witness;
