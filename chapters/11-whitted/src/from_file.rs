@@ -2,6 +2,7 @@
 
 use math::Real;
 use scene_file::Error;
+use shading::{Rgb, Texture, Textured};
 
 use crate::{Optics, Scene};
 
@@ -19,4 +20,16 @@ pub fn scene<R: Real>(
         optics: file.materials.iter().map(optics).collect(),
         max_depth: max_depth.unwrap_or(file.max_depth),
     })
+}
+
+/// Puts a white texture on every object of a scene that has none and a shape with (u, v): then (u, v) is worked out
+/// wherever it can be, and the colors are the same. `file` is where the scene is from.
+pub fn idle_textures<R: Real>(scene: &mut Scene<R>, file: &scene_file::Scene) {
+    let white = Texture::Checker { colors: [Rgb::WHITE; 2], scale: 1.0 };
+    for (painted, it) in scene.lit.painted.iter_mut().zip(&file.objects) {
+        if painted.texture.is_none() {
+            let mapping = shading::from_file::mapping(it);
+            painted.texture = mapping.map(|mapping| Box::new(Textured { mapping, texture: white.clone() }));
+        }
+    }
 }

@@ -12,11 +12,17 @@
 //! Only what the scene requires is modeled: see [`mod@requirements`]. And what can change nothing that anybody wants to know
 //! may be left out: see [`mod@tolerance`].
 
+#[cfg(feature = "stage")]
+mod auto;
 pub mod counts;
+#[cfg(feature = "stage")]
+mod explain;
 #[cfg(feature = "stage")]
 pub mod from_file;
 pub mod media;
 pub mod mirror;
+#[cfg(feature = "stage")]
+mod picture;
 pub mod ray_trace;
 pub mod refract;
 #[cfg(feature = "stage")]
@@ -25,6 +31,9 @@ pub mod requirements;
 pub mod scene;
 #[cfg(feature = "stage")]
 pub mod scenes;
+mod show;
+#[cfg(feature = "stage")]
+pub mod stage;
 pub mod tolerance;
 pub mod tree;
 pub mod witness;
@@ -34,7 +43,7 @@ pub use media::Media;
 pub use mirror::{Mirror, mirror};
 pub use ray_trace::{Path, Tracer};
 pub use refract::{Refraction, critical_angle, refract};
-pub use requirements::Requirements;
+pub use requirements::{Feature, Requirements};
 pub use scene::{Optics, Scene};
 pub use tolerance::Tolerance;
 pub use tree::Tree;

@@ -4,7 +4,7 @@ use math::Real;
 use shading::Rgb;
 use stage::{Error, Tile, Workers, tiled};
 
-use crate::{Counts, Path, Tracer};
+use crate::{Counts, Path, Tracer, Tree};
 
 /// The radiance of every pixel, row by row from the top, and what it took.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub fn render<R: Real>(
     threads: Option<usize>,
     progress: Option<&'static str>,
 ) -> Result<Rendered, Error> {
-    let workers = Workers { threads, stack: STACK + tracer.max_depth() as usize * STACK_A_RAY, progress };
+    let workers = Workers { threads, stack: stack(tracer), progress };
     let mut counts = Counts::default();
     let radiance = tiled(
         size,
@@ -49,4 +49,37 @@ pub fn render<R: Real>(
         |tile| counts.add(&tile),
     )?;
     Ok(Rendered { size, radiance, counts })
+}
+
+/// What a thread needs of its stack to trace as deep as the scene says.
+pub(crate) fn stack<R: Real>(tracer: &Tracer<'_, R>) -> usize {
+    STACK + tracer.max_depth() as usize * STACK_A_RAY
+}
+
+/// All rays of a pixel; of `samples` × `samples` in it those of the one in the middle, or after it.
+///
+/// [`Error::Failed`] where a thread with a stack for them cannot be had.
+pub fn tree<R: Real>(tracer: &Tracer<'_, R>, pixel: (u32, u32), samples: u32) -> Result<Tree<R>, Error> {
+    let middle = R::round_from((f64::from(samples / 2) + 0.5) / f64::from(samples));
+    with_stack(stack(tracer), || {
+        let mut tree = Tree::new();
+        tracer.eye_ray(&tracer.ray(pixel, (middle, middle)), &mut Path::default(), &mut tree);
+        tree
+    })
+}
+
+/// What `work` returns, on a thread with a stack of so many bytes.
+///
+/// [`Error::Failed`] where it cannot be had.
+pub(crate) fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<T, Error> {
+    std::thread::scope(|scope| {
+        let thread =
+            std::thread::Builder::new().stack_size(stack).spawn_scoped(scope, work).map_err(|error| {
+                let mebibytes = stack.div_ceil(1 << 20);
+                Error::Failed(format!(
+                    "cannot start a thread with a stack of {mebibytes} MiB: {error}; ask for less --depth"
+                ))
+            })?;
+        Ok(thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+    })
 }

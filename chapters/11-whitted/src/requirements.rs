@@ -9,6 +9,47 @@ use signature::Shape;
 
 use crate::Scene;
 
+/// What may be modeled though a scene does not require it, and changes nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feature {
+    /// Rays to lights that nothing answers.
+    IdleShadows,
+    /// Rays tried on what they cannot meet again.
+    IdleTests,
+    /// The stack of media where nothing bends.
+    Media,
+    /// A white texture on every object that has none and a shape with (u, v).
+    IdleTextures,
+    /// Every object carried through a transform.
+    IdleTransforms,
+    /// A tree for a few parts.
+    Tree,
+}
+
+impl Feature {
+    /// All of them.
+    pub const ALL: [Feature; 6] = [
+        Feature::IdleShadows,
+        Feature::IdleTests,
+        Feature::Media,
+        Feature::IdleTextures,
+        Feature::IdleTransforms,
+        Feature::Tree,
+    ];
+
+    /// What it is, in a few words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Feature::IdleShadows => "shadow rays that change nothing",
+            Feature::IdleTests => "tests of what a ray leaves",
+            Feature::Media => "the stack of media",
+            Feature::IdleTextures => "texture coordinates",
+            Feature::IdleTransforms => "a transform for every object",
+            Feature::Tree => "a tree of boxes",
+        }
+    }
+}
+
 /// What is modeled beyond eye rays and ambient light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Requirements {
@@ -26,8 +67,13 @@ pub struct Requirements {
     pub media: bool,
     /// Texture coordinates.
     pub textures: bool,
+    /// Those of objects without a texture as well: a matter of the scene, see
+    /// [`idle_textures`](crate::from_file::idle_textures).
+    pub idle_textures: bool,
     /// Objects that are met in a space of their own.
     pub transforms: bool,
+    /// The others as well, by a transform that changes nothing.
+    pub idle_transforms: bool,
     /// A tree of boxes.
     pub tree: bool,
 }
@@ -55,9 +101,29 @@ impl Requirements {
             refraction,
             media: refraction && bends && lets_into,
             textures: lit.painted.iter().any(|painted| painted.texture.is_some()),
+            idle_textures: false,
             transforms: any(&deformed),
+            idle_transforms: false,
             tree: bounds::Method::required(parts) != bounds::Method::None,
         }
+    }
+
+    /// The same, and one feature more.
+    pub fn and(mut self, feature: Feature) -> Requirements {
+        match feature {
+            Feature::IdleShadows => self.idle_shadows = true,
+            Feature::IdleTests => self.idle_tests = true,
+            Feature::Media => self.media = true,
+            Feature::IdleTextures => self.idle_textures = true,
+            Feature::IdleTransforms => self.idle_transforms = true,
+            Feature::Tree => self.tree = true,
+        }
+        self
+    }
+
+    /// All that can be modeled.
+    pub fn everything(self) -> Requirements {
+        Feature::ALL.into_iter().fold(self, Requirements::and)
     }
 
     /// The structure for rays.

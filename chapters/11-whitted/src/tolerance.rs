@@ -46,7 +46,8 @@ impl Tolerance {
         let mut at_most = vec![0.0; depths];
         let mut deeper = 0.0;
         for depth in (0..depths).rev() {
-            let brightest = materials.iter().map(|(local, on)| local + on * deeper).fold(background, f64::max);
+            let brightest =
+                materials.iter().map(|(local, on)| local + on * deeper).fold(background, f64::max);
             at_most[depth] = brightest;
             deeper = brightest;
         }

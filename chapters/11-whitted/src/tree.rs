@@ -44,18 +44,33 @@ pub struct Landed<R: Real> {
 /// The rays in the order in which they were sent, the eye ray first.
 #[derive(Clone, Debug)]
 pub struct Tree<R: Real> {
-    /// All rays.
+    /// The first [`Tree::MOST`] rays.
     pub nodes: Vec<Node<R>>,
-    /// The same, counted.
+    /// All rays, counted.
     pub counts: Counts,
+    /// What all rays add to the pixel together, see [`Tree::contribution`], in the order in which they end.
+    pub sum: Rgb,
     /// Those that have not ended, the deepest last.
-    open: Vec<usize>,
+    open: Vec<Open>,
+}
+
+/// A ray that has not ended.
+#[derive(Clone, Copy, Debug)]
+struct Open {
+    /// Its place in the tree; `None` where there are too many.
+    place: Option<usize>,
+    weight: f64,
+    has_landed: bool,
 }
 
 impl<R: Real> Tree<R> {
+    /// So many rays are kept, the others counted and added up: a mirror of glass in a glass doubles its rays with every
+    /// level, and no reader wants them all.
+    pub const MOST: usize = 1 << 16;
+
     /// No ray yet.
     pub fn new() -> Tree<R> {
-        Tree { nodes: Vec::new(), counts: Counts::default(), open: Vec::new() }
+        Tree { nodes: Vec::new(), counts: Counts::default(), sum: Rgb::BLACK, open: Vec::new() }
     }
 
     /// What a ray adds to the pixel by itself: its weight times what it sees without the rays that were sent on.
@@ -63,9 +78,13 @@ impl<R: Real> Tree<R> {
         node.landed.as_ref().map_or(node.e, |landed| landed.local) * node.weight
     }
 
+    fn node(&mut self) -> Option<&mut Node<R>> {
+        let place = self.open.last()?.place?;
+        self.nodes.get_mut(place)
+    }
+
     fn landing(&mut self) -> Option<&mut Landed<R>> {
-        let place = *self.open.last()?;
-        self.nodes[place].landed.as_mut()
+        self.node()?.landed.as_mut()
     }
 }
 
@@ -92,15 +111,16 @@ impl<R: Real> Witness<R> for Tree<R> {
 
     fn sent(&mut self, sent: &Sent<R>) {
         self.counts.sent(sent);
-        let place = self.nodes.len();
-        let parent = self.open.last().copied();
-        let weight = parent.map_or(1.0, |parent| self.nodes[parent].weight) * sent.coefficient;
-        if let Some(parent) = parent {
-            self.nodes[parent].children.push(place);
+        let weight = self.open.last().map_or(1.0, |parent| parent.weight) * sent.coefficient;
+        let place = (self.nodes.len() < Self::MOST).then_some(self.nodes.len());
+        if let Some(place) = place {
+            if let Some(parent) = self.node() {
+                parent.children.push(place);
+            }
+            let (children, left_out) = (Vec::new(), Vec::new());
+            self.nodes.push(Node { sent: *sent, weight, landed: None, e: Rgb::BLACK, children, left_out });
         }
-        let (children, left_out) = (Vec::new(), Vec::new());
-        self.nodes.push(Node { sent: *sent, weight, landed: None, e: Rgb::BLACK, children, left_out });
-        self.open.push(place);
+        self.open.push(Open { place, weight, has_landed: false });
     }
 
     fn shadow_rays(&mut self, more: u64) {
@@ -108,10 +128,12 @@ impl<R: Real> Witness<R> for Tree<R> {
     }
 
     fn landed(&mut self, object: usize, lambda: R, point: Option<&Point<R>>) {
-        if let Some(&place) = self.open.last() {
+        if let Some(open) = self.open.last_mut() {
+            open.has_landed = true;
+        }
+        if let Some(node) = self.node() {
             let (point, lights) = (point.copied(), Vec::new());
-            let landed = Landed { object, lambda, point, lights, local: Rgb::BLACK, refraction: None };
-            self.nodes[place].landed = Some(landed);
+            node.landed = Some(Landed { object, lambda, point, lights, local: Rgb::BLACK, refraction: None });
         }
     }
 
@@ -122,6 +144,9 @@ impl<R: Real> Witness<R> for Tree<R> {
     }
 
     fn local(&mut self, e: Rgb) {
+        if let Some(open) = self.open.last() {
+            self.sum += e * open.weight;
+        }
         if let Some(landed) = self.landing() {
             landed.local = e;
         }
@@ -135,14 +160,19 @@ impl<R: Real> Witness<R> for Tree<R> {
 
     fn left_out(&mut self, kind: Kind, at_most: f64) {
         Witness::<R>::left_out(&mut self.counts, kind, at_most);
-        if let Some(&place) = self.open.last() {
-            self.nodes[place].left_out.push((kind, at_most));
+        if let Some(node) = self.node() {
+            node.left_out.push((kind, at_most));
         }
     }
 
     fn ends(&mut self, e: Rgb) {
-        if let Some(place) = self.open.pop() {
-            self.nodes[place].e = e;
+        if let Some(node) = self.node() {
+            node.e = e;
+        }
+        if let Some(open) = self.open.pop()
+            && !open.has_landed
+        {
+            self.sum += e * open.weight;
         }
     }
 }

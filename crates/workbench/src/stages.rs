@@ -14,6 +14,7 @@ pub static ALL: &[&dyn Stage] = &[
     &signature::stage::Signature,
     &bounds::stage::BoundsStage,
     &shading::stage::Shading,
+    &whitted::stage::Whitted,
 ];
 
 /// The names of them all.

@@ -1,0 +1,106 @@
+//! How this chapter shows and measures itself.
+
+use std::path::Path;
+
+use bounds::{Bounded, Parts};
+use math::Real;
+use signature::Method;
+use signature::stage::fault;
+use stage::{About, Ask, Chapter, Error, Flag, Precision, Shown, TradeAsk, Traded, Transcript};
+
+use crate::show::{self, Shot};
+use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, picture, render};
+
+/// The stage `whitted`.
+pub struct Whitted;
+
+/// The size of the chapter's own picture.
+const SIZE: (u32, u32) = (960, 720);
+/// The pixel of it that is explained when none is asked for: the mirror shows the glass there.
+const WORKED: (u32, u32) = (368, 243);
+
+impl Chapter for Whitted {
+    fn about(&self) -> About {
+        About {
+            number: 11,
+            name: "whitted",
+            teaches: "the recursive ray tracer: mirrors, refraction, and only what the scene requires",
+            notes: "CSC418 11.7",
+            methods: Method::ALL.map(Method::name).to_vec(),
+            size: SIZE,
+            picture: "The scene. Below the chapter's own, where there is room: the rays of the pixel that is explained, \
+                      from above, and light that leaves a slower medium, at the critical angle and on both sides of it.",
+            flags: &[
+                Flag::Scene,
+                Flag::Srgb,
+                Flag::Samples,
+                Flag::Threads,
+                Flag::Depth,
+                Flag::Tolerance,
+                Flag::Explain,
+                Flag::Auto,
+            ],
+            inputs: &[],
+            words: &[],
+            results: &[],
+            trade: "Time against error.",
+            regimes: vec![("whitted", "a mirror, a glass and a matte ball on a checkered floor")],
+        }
+    }
+
+    fn precision(&self, ask: &Ask) -> Result<Precision, Error> {
+        Ok(auto::found(&read(ask.scene.as_deref())?, ask)?.precision())
+    }
+
+    fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+        let method = Method::ALL[ask.method];
+        let file = read(ask.scene.as_deref())?;
+        let size = ask.size_or(file.camera.size.value)?;
+        let own = ask.scene.is_none();
+        let worked = if own && size == SIZE { WORKED } else { (size.0 / 2, size.1 / 2) };
+        let pixel = ask.pixel.unwrap_or(worked);
+
+        let scene = from_file::scene::<R>(&file, Some(size), ask.depth).map_err(fault)?;
+        let requirements = Requirements::of(&scene, Parts::of(&scene.lit.geometry).count());
+        let bounded = Bounded::by(method, &scene.lit.geometry, requirements.bounds());
+        let tolerance = ask.tolerance.map(|e| Tolerance::new(&scene, e));
+        let tracer = Tracer::new(&scene, &bounded, &requirements, tolerance);
+        let samples = ask.samples.unwrap_or(1);
+        let tree = render::tree(&tracer, pixel, samples)?;
+        let rendered = render::render(&tracer, size, samples, ask.threads, Some("whitted"))?;
+
+        let mut transcript = Transcript::new(&self.about(), ask);
+        let (names, parts) = (show::Names::new(&file, &scene), bounded.all_parts());
+        let shot = Shot { scene: &scene, parts, names, pixel, samples, srgb: ask.srgb, tree: &tree };
+        show::pixel(&mut transcript, method, &shot, &rendered);
+        show::rays(&mut transcript, &shot);
+        show::critical_angles(&mut transcript, &scene, &shot.names, own);
+        show::counts(&mut transcript, &rendered, ask.tolerance);
+        if ask.auto {
+            auto::say(&mut transcript, &auto::found(&file, ask)?);
+        }
+        if ask.explain {
+            explain::requirements(&mut transcript, &file, &scene, &requirements);
+            explain::cost::<R>(&mut transcript, &file, size, method, ask.depth)?;
+        }
+        let picture = picture::draw(&rendered, &shot, own)?;
+        Ok(Shown { transcript, picture, ids: None })
+    }
+
+    fn trade(&self, _: &TradeAsk) -> Result<Traded, Error> {
+        Err(Error::Failed("whitted is not measured yet".to_string()))
+    }
+}
+
+/// Reads a scene file, or the chapter's own scene.
+///
+/// [`Error::Request`] with file, line and column where it is no scene.
+pub fn read(path: Option<&Path>) -> Result<scene_file::Scene, Error> {
+    match path {
+        Some(path) => scene_file::Scene::read(path).map_err(fault),
+        None => scene_file::Scene::built_in(OWN.0, &[OWN]).map_err(fault),
+    }
+}
+
+/// The chapter's own scene.
+const OWN: (&str, &[u8]) = ("whitted.toml", include_bytes!("../scenes/whitted.toml"));
