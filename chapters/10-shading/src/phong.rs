@@ -36,19 +36,20 @@ pub fn phong<R: Real>(
     let n_dot_s = n.dot(s);
     let m = n * (n_dot_s + n_dot_s) - s;
     let c_dot_m = c.dot(m);
-    let diffuse = i * color * (material.diffuse * at_least_zero(n_dot_s));
+    let diffuse = i * color * (material.diffuse * from_zero_to_one(n_dot_s));
     let specular = match material.specular > 0.0 {
-        true => i * (material.specular * power(at_least_zero(c_dot_m), material.shininess)),
+        true => i * (material.specular * power(from_zero_to_one(c_dot_m), material.shininess)),
         false => Rgb::BLACK,
     };
     Phong { s, n_dot_s, m, c_dot_m, diffuse, specular }
 }
 
-/// max(0, x)
+/// max(0, x), for the cosine x. Rounding may leave it a digit above 1; with an α of millions its power would be brighter
+/// than the light.
 #[inline(always)]
-fn at_least_zero<R: Real>(x: R) -> f64 {
+fn from_zero_to_one<R: Real>(x: R) -> f64 {
     let x: f64 = x.into();
-    if x > 0.0 { x } else { 0.0 }
+    if x > 0.0 { x.min(1.0) } else { 0.0 }
 }
 
 /// x^α for 0 ≤ x and 0 ≤ α, with 0⁰ = 1. A whole α is a product of squares, which is faster; the others take a
@@ -122,6 +123,21 @@ mod tests {
         assert!((it.c_dot_m - 44.0 / 125.0).abs() < 1e-15 && it.n_dot_s < 0.0);
         assert_eq!(it.diffuse, Rgb::BLACK);
         assert!(it.specular.0[0] > 0.0, "as printed; `Lighting` asks for n·s > 0 first, for both terms");
+    }
+
+    /// Straight from the mirror direction the highlight is r_s I, for whatever α. In f32 some such direction has c·m > 1,
+    /// and (1 + 2⁻²³)^α is e for an α of 2²³.
+    #[test]
+    fn no_highlight_is_brighter_than_its_light() {
+        let material = Material { shininess: (2.0_f64).powi(23), ..MATERIAL };
+        let mut above = 0;
+        for step in 1..2000_u16 {
+            let c = glam::Vec3::new(f32::from(step), 1000.0, 77.0).normalize();
+            let it = phong::<f32>(&material, Rgb::WHITE, Rgb::WHITE, c, c, c);
+            above += u32::from(it.c_dot_m > 1.0);
+            assert!(it.specular.0[0] <= 0.25 && it.diffuse.0[0] <= 0.5, "{it:?}");
+        }
+        assert!(above > 0);
     }
 
     /// Exact powers: 0.75³ = 27/64, 0.5^32 = 2⁻³². And x^2.5 = x² √x.

@@ -215,7 +215,8 @@ impl<'a, R: Real> Tracer<'a, R> {
         if let Some(tolerance) = &self.tolerance {
             let at_most = tolerance.at_most(weight * coefficient, depth + 1);
             if at_most <= path.left {
-                path.left -= at_most;
+                // rounded down, so that all together stay within
+                path.left = if at_most > 0.0 { (path.left - at_most).next_down() } else { path.left };
                 witness.left_out(kind, at_most);
                 return Rgb::BLACK;
             }
