@@ -103,7 +103,7 @@ impl<R: Real> Lighting<'_, R> {
 
     /// Where a ray of the eye lands, ready to be lit; `None` where it hits nothing, or too far away to say where.
     pub(crate) fn landed(&self, ray: &Ray3<R>, counts: &mut Counts) -> Option<Landed<R>> {
-        let query = Query { ray: *ray, span: Span::ahead(), without: None };
+        let query = Query::new(*ray, Span::ahead());
         let has_texture = |object: usize| self.scene.painted[object].texture.is_some();
         let landing = Landing::of(self.bounded, &query, counts, has_texture)?;
         Some(Landed { landing, point: self.point(ray.direction, landing) })

@@ -48,3 +48,6 @@ pub use scene::{Optics, Scene};
 pub use tolerance::Tolerance;
 pub use tree::Tree;
 pub use witness::{Kind, Sent, Witness};
+
+#[cfg(all(test, feature = "stage"))]
+mod lit_scenes;

@@ -131,3 +131,6 @@ impl Requirements {
         if self.tree { bounds::Method::Wide } else { bounds::Method::None }
     }
 }
+
+#[cfg(all(test, feature = "stage"))]
+mod tests;

@@ -10,7 +10,8 @@
 //! B(depth) = max(background, the largest of L + (r_g + r_t) B(depth + 1))
 //! ```
 //!
-//! A pixel may leave out rays until what they all could bring together is E.
+//! A pixel may leave out rays until what they all could bring together is E; or a little less, as the sums that have
+//! them are rounded, and those that have them not are rounded in another way. Where B is infinite nothing is left out.
 
 use math::Real;
 
@@ -23,7 +24,12 @@ pub struct Tolerance {
     pub e: f64,
     /// B(depth), from depth 1.
     at_most: Vec<f64>,
+    /// How much of E the rays of a pixel may bring: what rounding leaves of it.
+    of_a_pixel: f64,
 }
+
+/// The most rays through a pixel: 64 × 64 samples.
+const SAMPLES: f64 = 4096.0;
 
 impl Tolerance {
     /// The bounds of a scene. `e` is finite and not negative.
@@ -51,22 +57,26 @@ impl Tolerance {
             at_most[depth] = brightest;
             deeper = brightest;
         }
-        // Each level, here and in the tracer, rounds a product and a sum for each light and four more; and a radiance may
-        // be rounded up as much as this is rounded down.
-        let roundings = 2.0 * (2.0 * lit.lights.len() as f64 + 4.0) * depths as f64;
-        let safe = 1.0 + 2.0 * roundings * f64::EPSILON;
-        at_most.iter_mut().for_each(|most| *most *= safe);
-        Tolerance { e, at_most }
+        // Each level, here and in the tracer, rounds a product and a sum for each light and four more, each by half a unit of
+        // the last digit; and a radiance may be rounded up as much as this is rounded down.
+        let roundings = (2.0 * lit.lights.len() as f64 + 4.0) * depths as f64;
+        at_most.iter_mut().for_each(|most| *most *= 1.0 + 2.0 * roundings * f64::EPSILON);
+        // What is not negative and no more than B(1) is off by that much too when it is added up over all levels and
+        // samples, once with the rays that are left out and once without.
+        let off = 2.0 * (roundings + SAMPLES) * f64::EPSILON * at_most.first().copied().unwrap_or(0.0);
+        Tolerance { e, at_most, of_a_pixel: (e - off).max(0.0) }
     }
 
     /// What a pixel may leave out.
     pub(crate) fn of_a_pixel(&self) -> f64 {
-        self.e
+        self.of_a_pixel
     }
 
-    /// B(depth) times a weight; infinite beyond the last depth.
+    /// B(depth) times a weight; infinite beyond the last depth. A weight that is too small for its digits counts as the
+    /// smallest that has them all.
     #[inline(always)]
     pub(crate) fn at_most(&self, weight: f64, depth: u32) -> f64 {
+        let weight = weight.max(f64::MIN_POSITIVE);
         self.at_most.get(depth as usize - 1).map_or(f64::INFINITY, |most| weight * most)
     }
 
@@ -75,3 +85,6 @@ impl Tolerance {
         self.at_most.get(depth as usize - 1).copied()
     }
 }
+
+#[cfg(all(test, feature = "stage"))]
+mod tests;

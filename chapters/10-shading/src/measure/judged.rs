@@ -66,7 +66,7 @@ fn case<R: Real>(object: &Object<R>, bounded: &Bounded<'_, R>, draw: &mut Draw) 
     let [x, y, z] = f64::xyz(draw.direction()).map(R::round_from);
     let direction = R::vec3(x, y, z);
     ray.check().ok()?;
-    let query = Query { ray, span: Span::ahead(), without: None };
+    let query = Query::new(ray, Span::ahead());
     let landing = Landing::of(bounded, &query, &mut Uncounted, |_| false)?;
     let turned = landing.turned_toward(ray.direction);
     if matches!(object.shape(), Shape::OpenCone(_)) && !turned.from_outside {

@@ -1,0 +1,77 @@
+//! Scenes for tests: the chapter's own, and those of chapter 08 with lights and with materials that mirror and let through.
+
+use bounds::{Bounded, Parts};
+use math::Real;
+use scene_file::{At, Light, Scene as File};
+use signature::Method;
+
+use crate::render::{Rendered, render};
+use crate::{Requirements, Tolerance, Tracer, from_file};
+
+/// The scenes of chapter 08 by name.
+pub(crate) const OF_CHAPTER_08: [&str; 11] = [
+    "signature",
+    "spheres",
+    "far",
+    "shifted",
+    "tiny",
+    "teapot",
+    "balls2",
+    "rings2",
+    "tetra4",
+    "mount4",
+    "gears1",
+];
+
+/// The chapter's own scene, and each of chapter 08's as it is, with materials that bend, and with such as do not.
+pub(crate) fn all() -> Vec<(String, File)> {
+    let mut all = vec![("whitted".to_string(), crate::stage::read(None).unwrap())];
+    for name in OF_CHAPTER_08 {
+        let file = signature::stage::built_in(name).unwrap();
+        all.push((name.to_string(), lit(file.clone())));
+        all.push((format!("{name}, bent"), with(file.clone(), 0.3, 0.5, 1.4)));
+        all.push((format!("{name}, unbent"), with(file, 0.3, 0.5, 1.0)));
+    }
+    all
+}
+
+/// With two lights more: one at the eye, and one as far to the side as the eye is from the origin.
+fn lit(mut file: File) -> File {
+    let eye = file.camera.eye.value;
+    let far = eye.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let aside = [eye[0] + far, eye[1] + far, eye[2]];
+    let place = file.camera.eye.place;
+    for (position, intensity) in [(eye, [0.4; 3]), (aside, [0.6, 0.5, 0.4])] {
+        file.lights.push(Light { position: At { value: position, place }, intensity });
+    }
+    file
+}
+
+/// The same, and every material with these coefficients.
+fn with(file: File, mirror: f64, transmit: f64, ior: f64) -> File {
+    let mut file = lit(file);
+    for material in &mut file.materials {
+        (material.mirror, material.transmit, material.ior) = (mirror, transmit, ior);
+    }
+    file
+}
+
+/// A small picture of a scene, with what `more` makes of its requirements, and within a tolerance.
+pub(crate) fn picture<R: Real>(
+    file: &File,
+    method: Method,
+    depth: u32,
+    more: impl Fn(Requirements) -> Requirements,
+    tolerance: Option<f64>,
+) -> Rendered {
+    let size = (16, 12);
+    let mut scene = from_file::scene::<R>(file, Some(size), Some(depth)).unwrap();
+    let required = more(Requirements::of(&scene, Parts::of(&scene.lit.geometry).count()));
+    if required.idle_textures {
+        from_file::idle_textures(&mut scene, file);
+    }
+    let bounded = Bounded::by(method, &scene.lit.geometry, required.bounds());
+    let tolerance = tolerance.map(|e| Tolerance::new(&scene, e));
+    let tracer = Tracer::new(&scene, &bounded, &required, tolerance);
+    render(&tracer, size, 1, Some(2), None).unwrap()
+}

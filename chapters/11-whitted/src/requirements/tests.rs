@@ -1,0 +1,73 @@
+use math::Real;
+use signature::Method;
+
+use super::*;
+use crate::lit_scenes::{all, picture};
+
+/// The bits of every channel of every pixel.
+fn bits(rendered: &crate::render::Rendered) -> Vec<[u64; 3]> {
+    rendered.radiance.iter().map(|e| e.0.map(f64::to_bits)).collect()
+}
+
+fn is_the_same_whatever_is_modeled<R: Real>() {
+    for (name, file) in all() {
+        for method in Method::ALL {
+            let required = picture::<R>(&file, method, 4, |required| required, None);
+            let of = |more: &dyn Fn(Requirements) -> Requirements| picture::<R>(&file, method, 4, more, None);
+            for feature in Feature::ALL {
+                let modeled = of(&|required| required.and(feature));
+                assert_eq!(bits(&modeled), bits(&required), "{name} {method:?} {} and {feature:?}", R::NAME);
+            }
+            let modeled = of(&|required| required.everything());
+            assert_eq!(bits(&modeled), bits(&required), "{name} {method:?} {} and everything", R::NAME);
+        }
+    }
+}
+
+#[test]
+fn the_radiance_is_the_same_whatever_is_modeled_in_f64() {
+    is_the_same_whatever_is_modeled::<f64>();
+}
+
+#[test]
+fn the_radiance_is_the_same_whatever_is_modeled_in_f32() {
+    is_the_same_whatever_is_modeled::<f32>();
+}
+
+/// What is not required is not modeled.
+#[test]
+fn a_scene_requires_what_it_has() {
+    let of = |text: &str| {
+        let file = scene_file::Scene::from_toml("scene.toml", text, std::path::Path::new("")).unwrap();
+        let scene = crate::from_file::scene::<f64>(&file, None, None).unwrap();
+        Requirements::of(&scene, bounds::Parts::of(&scene.lit.geometry).count())
+    };
+    let sphere = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\n[[object]]\nmaterial = \"m\"\n\
+                  sphere = { center = [0, 0, 0], radius = 1 }\n";
+    let light = "[[light]]\nposition = [0, 9, 0]\nintensity = [1, 1, 1]\n";
+    let nothing = of(&format!("{sphere}[material.m]\n"));
+    let features = |it: Requirements| {
+        [it.shadows, it.mirror, it.refraction, it.media, it.textures, it.transforms, it.tree]
+    };
+    assert_eq!(features(nothing), [false; 7]);
+    for (material, expected) in [
+        ("mirror = 0.5", [true, true, false, false, false, false, false]),
+        ("transmit = 0.5", [true, false, true, false, false, false, false]),
+        ("transmit = 0.5\nior = 1.5", [true, false, true, true, false, false, false]),
+        ("ior = 1.5", [true, false, false, false, false, false, false]),
+        ("diffuse = 0", [false; 7]),
+        (
+            "texture = { checker = [[1, 1, 1], [0, 0, 0]], scale = 1 }",
+            [true, false, false, false, true, false, false],
+        ),
+    ] {
+        assert_eq!(
+            features(of(&format!("{sphere}{light}[material.m]\n{material}\n"))),
+            expected,
+            "{material}"
+        );
+    }
+    let deep =
+        of(&format!("max_depth = 1\n{sphere}{light}[material.m]\nmirror = 0.5\ntransmit = 0.5\nior = 1.5\n"));
+    assert_eq!(features(deep), [true, false, false, false, false, false, false], "local shading only");
+}

@@ -1,0 +1,125 @@
+use super::*;
+use crate::lit_scenes::{all, picture};
+use scene_file::Scene as File;
+use signature::Method;
+
+/// The largest difference in a channel to the full picture, and how many rays each took. Both may be infinite, and then
+/// they are the same.
+fn off<R: Real>(file: &File, depth: u32, e: f64) -> (f64, u64, u64) {
+    let full = picture::<R>(file, Method::Robust, depth, |required| required, None);
+    let less = picture::<R>(file, Method::Robust, depth, |required| required, Some(e));
+    let pairs = full.radiance.iter().zip(&less.radiance).flat_map(|(a, b)| a.0.into_iter().zip(b.0));
+    let off = pairs.map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() }).fold(0.0, f64::max);
+    (off, full.counts.rays(), less.counts.rays())
+}
+
+const TOLERANCES: [f64; 8] = [0.0, 1e-300, 1e-16, 1e-11, 1e-4, 0.03, 1.0, f64::MAX];
+
+/// Whether any tolerance leaves rays out, when none leaves out too much.
+fn stays_within<R: Real>(name: &str, file: &File, depth: u32) -> bool {
+    let mut fewer = false;
+    let mut last = u64::MAX;
+    for e in TOLERANCES {
+        let (off, full, less) = off::<R>(file, depth, e);
+        assert!(off <= e, "{name} {} E = {e}: {off}", R::NAME);
+        assert!(
+            less <= full && less <= last,
+            "{name} E = {e}: {less} of {full} rays, {last} with a smaller E"
+        );
+        fewer |= less < full;
+        last = less;
+    }
+    fewer
+}
+
+#[test]
+fn the_picture_differs_by_no_more_than_e() {
+    let mut fewer = 0;
+    for (name, file) in all() {
+        fewer += u32::from(stays_within::<f64>(&name, &file, 4));
+        stays_within::<f32>(&name, &file, 3);
+    }
+    assert!(fewer > 20, "{fewer} scenes");
+}
+
+/// A mirror ball over a mirror floor, by its coefficients, its background and its light.
+fn mirrors(mirror: f64, transmit: f64, background: f64, intensity: f64) -> File {
+    let text = format!(
+        "background = [{background:e}, 0.0, 0.0]\n[camera]\neye = [0, 1, 4]\nlook_at = [0, 0.5, 0]\n\
+         [[light]]\nposition = [3, 5, 2]\nintensity = [{intensity:e}, {intensity:e}, 0.0]\n\
+         [material.m]\nmirror = {mirror}\ntransmit = {transmit}\nspecular = 1.0\nshininess = 1e7\n\
+         [[object]]\nmaterial = \"m\"\nplane = {{ point = [0, -0.5, 0], normal = [0, 1, 0] }}\n\
+         [[object]]\nmaterial = \"m\"\nplane = {{ point = [0, 2.5, 0], normal = [0, 1, 0] }}\n\
+         [[object]]\nmaterial = \"m\"\nsphere = {{ center = [0, 0.5, 0], radius = 1 }}\n"
+    );
+    File::from_toml("mirrors.toml", &text, std::path::Path::new("")).unwrap()
+}
+
+#[test]
+fn a_background_brighter_than_the_lights_counts() {
+    assert!(stays_within::<f64>("bright", &mirrors(0.5, 0.0, 1e6, 1.0), 8));
+    assert!(stays_within::<f64>("dark", &mirrors(0.5, 0.0, 0.0, 1.0), 8));
+}
+
+#[test]
+fn coefficients_may_sum_up_to_more_than_one() {
+    for depth in [3, 9] {
+        stays_within::<f64>("1 + 0.9", &mirrors(1.0, 0.9, 0.5, 1.0), depth);
+        stays_within::<f32>("1 + 0.9", &mirrors(1.0, 0.9, 0.5, 1.0), depth);
+    }
+    // B(1) = 2^50 and more
+    assert!(stays_within::<f64>("1, deep", &mirrors(1.0, 0.0, 0.5, 1.0), 50));
+}
+
+/// By hand: with L = r_a I_a C + I (r_d C + r_s) = 0.1 + (0.9 + 1) = 2 and r_g = 0.5, a background of 0.5:
+/// B(3) = 2, B(2) = 2 + 1 = 3, B(1) = 2 + 1.5 = 3.5; with a background of 10: 10, 10 and 10.
+#[test]
+fn the_bound_by_hand() {
+    for (background, expected) in [(0.5, [3.5, 3.0, 2.0]), (10.0, [10.0; 3])] {
+        let scene =
+            crate::from_file::scene::<f64>(&mirrors(0.5, 0.0, background, 1.0), None, Some(3)).unwrap();
+        let tolerance = Tolerance::new(&scene, 0.1);
+        for (depth, expected) in (1..).zip(expected) {
+            let bound = tolerance.bound(depth).unwrap();
+            assert!(bound >= expected && bound < expected * (1.0 + 1e-13), "{depth}: {bound}");
+        }
+        assert_eq!(tolerance.bound(4), None);
+        assert!(tolerance.of_a_pixel() < 0.1 && tolerance.of_a_pixel() > 0.1 - 1e-10);
+    }
+}
+
+/// By hand: between two mirrors of r_g = 1 and r_a I_a C = 0.1 each ray brings 0.1, and the bounds are what comes: 0.5 at
+/// depth 1 of 5. Within 0.25 the rays of depth 4 and 5 can be left out, 0.2 together, and not that of depth 3 too.
+#[test]
+fn between_two_mirrors_the_bound_is_what_comes() {
+    let text = "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\nwindow = [-1e-3, 1e-3, -1e-3, 1e-3]\n\
+                [material.m]\ndiffuse = 0\nmirror = 1\n\
+                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, 1], normal = [0, 0, 1] }\n\
+                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n";
+    let file = File::from_toml("mirrors.toml", text, std::path::Path::new("")).unwrap();
+    let pixels = 16 * 12;
+    for (e, by, rays) in [(0.0999, 0.0, 5), (0.1001, 0.1, 4), (0.25, 0.2, 3), (0.35, 0.3, 2), (0.45, 0.4, 1)]
+    {
+        let (off, full, less) = off::<f64>(&file, 5, e);
+        assert!((off - by).abs() < 1e-15, "E = {e}: {off}");
+        assert_eq!((full, less), (5 * pixels, rays * pixels), "E = {e}");
+    }
+}
+
+/// Where the bound overflows nothing is known about what is left out.
+#[test]
+fn a_bound_that_overflows_leaves_nothing_out() {
+    let file = mirrors(1.0, 0.0, 1e308, 1e308);
+    let (off, full, less) = off::<f64>(&file, 6, f64::MAX);
+    assert_eq!((off, less), (0.0, full));
+    let scene = crate::from_file::scene::<f64>(&file, None, Some(6)).unwrap();
+    assert_eq!(Tolerance::new(&scene, 1.0).bound(1), Some(f64::INFINITY));
+}
+
+/// A ray whose weight underflows may still meet a light of 1e308.
+#[test]
+fn a_weight_without_digits_counts_as_one_with_all_of_them() {
+    let scene = crate::from_file::scene::<f64>(&mirrors(0.5, 0.0, 1e300, 0.0), None, Some(3)).unwrap();
+    let tolerance = Tolerance::new(&scene, 0.0);
+    assert!(tolerance.at_most(0.0, 2) >= f64::MIN_POSITIVE * 1e300);
+}
