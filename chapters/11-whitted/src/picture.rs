@@ -1,18 +1,58 @@
-//! The picture.
+//! The picture: the scene; and over the floor of the chapter's own, the rays of a pixel from above and the critical angle.
+
+mod above;
+mod angles;
+mod outlines;
 
 use math::Real;
-use stage::{Canvas, Color, Error};
+use stage::{Canvas, Color, Error, Pen};
 
 use crate::render::Rendered;
 use crate::show::Shot;
+use crate::{Kind, Tree};
 
-/// The rendering.
-pub(crate) fn draw<R: Real>(rendered: &Rendered, shot: &Shot<'_, R>, _own: bool) -> Result<Canvas, Error> {
+/// The frame in which the chapter's own picture is drawn.
+const FRAME: (f32, f32) = (960.0, 720.0);
+/// The smallest letters in it.
+const LETTERS: f32 = 12.0;
+
+/// The rendering; of the chapter's own scene with what stands below it, where there is room to read that.
+pub(crate) fn draw<R: Real>(rendered: &Rendered, shot: &Shot<'_, R>, own: bool) -> Result<Canvas, Error> {
     let mut canvas = Canvas::new(rendered.size, Color::BLACK)?;
     let (width, radiance, srgb) = (rendered.size.0 as usize, &rendered.radiance, shot.srgb);
     canvas.shade(|col, row| {
         let e = radiance[row as usize * width + col as usize].0;
         if srgb { Color::from_linear_srgb(e) } else { Color::from_linear(e) }
     });
+    canvas.fit(FRAME.0, FRAME.1);
+    if own && canvas.is_readable(LETTERS) {
+        let (x, y) = canvas.place_of(shot.pixel);
+        canvas.circle((x as f32, y as f32), 7.0, Pen::solid(Color::BLACK, 4.0));
+        canvas.circle((x as f32, y as f32), 7.0, Pen::solid(Color::WHITE, 1.5));
+        above::draw(&mut canvas, shot, (12.0, 456.0), (650.0, 708.0));
+        angles::draw(&mut canvas, (662.0, 456.0), (948.0, 708.0));
+    }
     Ok(canvas)
+}
+
+/// The color of a kind of ray.
+fn color_of(kind: Kind) -> Color {
+    match kind {
+        Kind::Eye => Color::BLACK,
+        Kind::Mirror => Color::BLUE,
+        Kind::Refracted => Color::VERMILLION,
+    }
+}
+
+/// A light plate with a frame, to draw on.
+fn plate(canvas: &mut Canvas, from: (f32, f32), to: (f32, f32)) {
+    canvas.rectangle(from, to, Color::WHITE, 0.98);
+    canvas.frame(from, to, Pen::solid(Color::GRAY, 1.0));
+}
+
+/// The places of a tree's rays, the least weight first.
+fn least_first<R: Real>(tree: &Tree<R>) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..tree.nodes.len()).collect();
+    places.sort_by(|&a, &b| tree.nodes[a].weight.total_cmp(&tree.nodes[b].weight).then(b.cmp(&a)));
+    places
 }
