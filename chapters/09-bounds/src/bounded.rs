@@ -1,5 +1,6 @@
 //! A scene with one kind of bound around its objects.
 
+use affine::{Affine, Matrix3};
 use math::{Ray3, Real, Span};
 use ray_sphere::{Sphere, robust};
 use signature::{First, Hit3, Method as Formulas, Scene};
@@ -19,6 +20,8 @@ pub struct Bounded<'a, R: Real> {
     unbounded: Vec<usize>,
     bounds: Bounds<R>,
     trial: Trial,
+    /// Through which matrix each ray is carried before each test; `None` where that is not asked for.
+    carried: Option<Affine<R>>,
 }
 
 /// What a ray hits first, part by part.
@@ -127,7 +130,14 @@ impl<'a, R: Real> Bounded<'a, R> {
             }
         };
         let trial = Trial::of(formulas, &parts);
-        Bounded { scene, parts, unbounded, bounds, trial }
+        Bounded { scene, parts, unbounded, bounds, trial, carried: None }
+    }
+
+    /// The same for a program in which any object may be deformed: each ray is carried into a space of each part's own, before
+    /// it is tried on it, though the matrix is the identity. What is seen is the same. For who wants to know what that costs.
+    pub fn carrying(self) -> Bounded<'a, R> {
+        let identity = Affine { a: Matrix3::identity(), t: R::vec3(R::from(0.0), R::from(0.0), R::from(0.0)) };
+        Bounded { carried: Some(identity), ..self }
     }
 
     /// How many things there are to test: objects, and of a mesh its faces.
@@ -204,7 +214,7 @@ impl<'a, R: Real> Bounded<'a, R> {
         pixel: Option<(u32, u32)>,
         counts: &mut impl Tally,
     ) -> Option<(usize, Option<R>)> {
-        let mut tried = self.trial.begins(&self.parts, query);
+        let mut tried = self.trial.begins(&self.parts, self.carried.as_ref(), query);
         match &self.bounds {
             Bounds::None { spheres, rest, version } => {
                 version.run(All::<R, _, ANY> { spheres, rest, tried: &mut tried, counts });
@@ -301,7 +311,7 @@ impl<R: Real, C: Tally, const ANY: bool> Work for All<'_, '_, R, C, ANY> {
         for block in self.spheres {
             self.counts.tests(block.count());
             let past = block.past(&line);
-            let mut candidates = past.candidates;
+            let mut candidates = if self.tried.is_tried_on_all() { block.all() } else { past.candidates };
             while candidates != 0 {
                 let lane = candidates.trailing_zeros();
                 candidates &= candidates - 1;

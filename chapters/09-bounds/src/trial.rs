@@ -8,8 +8,9 @@
 //! on the bounds; so would then what is seen. To be the same by every bound, a hit of theirs counts only where the ray is
 //! in the part's own box, and not before it enters that box: a bound in which that box is leaves no such hit out.
 
+use affine::Affine;
 use math::glance::First;
-use math::{Glance, Real, Span};
+use math::{Glance, Ray3, Real, Span};
 use ray_sphere::Line;
 use signature::Method;
 
@@ -42,13 +43,19 @@ impl Trial {
 
     /// A ray that was tried on nothing yet.
     #[inline(always)]
-    pub(crate) fn begins<'a, R: Real>(&'a self, parts: &'a Parts<'a, R>, query: &'a Query<R>) -> Tried<'a, R> {
+    pub(crate) fn begins<'a, R: Real>(
+        &'a self,
+        parts: &'a Parts<'a, R>,
+        carried: Option<&'a Affine<R>>,
+        query: &'a Query<R>,
+    ) -> Tried<'a, R> {
         let boxes = match self {
             Trial::Robust => None,
             Trial::Notes(boxes) => Some(boxes.as_slice()),
         };
         let [without, within] = [query.without, query.within].map(|part| part.unwrap_or(usize::MAX));
-        Tried { parts, query, line: Line::of(&query.ray), without, within, boxes, nearest: None }
+        let line = Line::of(&query.ray);
+        Tried { parts, query, line, without, within, boxes, carried, nearest: None }
     }
 }
 
@@ -60,6 +67,7 @@ pub(crate) struct Tried<'a, R: Real> {
     without: usize,
     within: usize,
     boxes: Option<&'a [Option<Box3>]>,
+    carried: Option<&'a Affine<R>>,
     nearest: Option<Nearest<R>>,
 }
 
@@ -75,6 +83,13 @@ struct Nearest<R> {
 }
 
 impl<R: Real> Tried<'_, R> {
+    /// A glance at many spheres does not tell which of them it is to be tried on: it is tried by the notes' formulas, or
+    /// carried into a space of each part's own.
+    #[inline(always)]
+    pub(crate) fn is_tried_on_all(&self) -> bool {
+        self.boxes.is_some() || self.carried.is_some()
+    }
+
     /// The line of the ray.
     #[inline(always)]
     pub(crate) fn line(&self) -> Line {
@@ -87,8 +102,8 @@ impl<R: Real> Tried<'_, R> {
         if part == self.without {
             return None;
         }
-        if self.boxes.is_some() {
-            return self.on_by_notes(part);
+        if self.is_tried_on_all() {
+            return self.on_the_long_way(part);
         }
         let glance = self.parts.glance(part, &self.query.ray, &self.line);
         self.on_at_a_glance(part, glance)
@@ -101,8 +116,8 @@ impl<R: Real> Tried<'_, R> {
         if part == self.without {
             return None;
         }
-        if self.boxes.is_some() {
-            return self.on_by_notes(part);
+        if self.is_tried_on_all() {
+            return self.on_the_long_way(part);
         }
         self.on_at_a_glance(part, block.glance(&self.line, past, lane))
     }
@@ -144,17 +159,32 @@ impl<R: Real> Tried<'_, R> {
         Some(lambda)
     }
 
+    /// By the notes' formulas, or in a space of the part's own: A⁻¹ (p̄ − t) and A⁻¹ d⃗.
     #[inline(never)]
-    fn on_by_notes(&mut self, part: usize) -> Option<R> {
+    fn on_the_long_way(&mut self, part: usize) -> Option<R> {
+        let Some(by) = self.carried else { return self.on_by_notes(part, self.query.ray) };
+        let inverse = by.a.inverse();
+        let Ray3 { origin, direction } = self.query.ray;
+        let ray = Ray3::new(inverse.times(origin - by.t), inverse.times(direction));
+        match self.boxes {
+            Some(_) => self.on_by_notes(part, ray),
+            None => {
+                let glance = self.parts.glance(part, &ray, &Line::of(&ray));
+                self.on_at_a_glance(part, glance)
+            }
+        }
+    }
+
+    fn on_by_notes(&mut self, part: usize, ray: Ray3<R>) -> Option<R> {
         let boxes = self.boxes?;
-        let Query { ray, span, .. } = self.query;
+        let span = self.query.span;
         let max = self.nearest.as_ref().and_then(|nearest| nearest.lambda).unwrap_or(span.max);
         let span = Span::new(span.min, max);
         let enters = match &boxes[part] {
-            Some(bounds) => Slabs::new(ray).enter(bounds, Reach::of(span))?,
+            Some(bounds) => Slabs::new(&ray).enter(bounds, Reach::of(span))?,
             None => 0.0,
         };
-        let lambda = self.parts.whole_hit(Method::Notes, part, ray, span)?.t;
+        let lambda = self.parts.whole_hit(Method::Notes, part, &ray, span)?.t;
         let exact: f64 = lambda.into();
         let loses_tie = self.nearest.as_ref().is_some_and(|nearest| lambda == max && nearest.part < part);
         if exact < f64::from(enters) || loses_tie {

@@ -2,6 +2,7 @@
 
 use bounds::{Bounded, Tally};
 use math::{Real, Vector};
+use signature::Method;
 
 use crate::landing::Turned;
 use crate::shadow::blocker;
@@ -65,7 +66,9 @@ impl<'a, R: Real> Lighting<'a, R> {
         let shape = parts.shape(landing.part);
         let face = parts.face(landing.part);
         let mut starts = Starts::of(self.start, self.bounded.formulas(), shape, face, &landing);
-        if self.start == Start::Bound && !self.idle_tests {
+        // the notes' formulas do not agree that it is not met again, so there it is no idle question
+        let is_by_notes = self.bounded.formulas() == Method::Notes;
+        if self.start == Start::Bound && (is_by_notes || !self.idle_tests) {
             starts.spared = Spared::of(shape, landing.part);
         }
         Some(Point {

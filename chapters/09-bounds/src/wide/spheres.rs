@@ -63,6 +63,12 @@ impl Spheres {
         self.count
     }
 
+    /// A bit for each.
+    #[inline(always)]
+    pub(crate) fn all(&self) -> u32 {
+        (1 << self.count) - 1
+    }
+
     /// The part in a lane.
     #[inline(always)]
     pub(crate) fn part(&self, lane: usize) -> usize {
@@ -94,7 +100,7 @@ impl Spheres {
         for (lane, &is_missed) in is_missed.iter().enumerate() {
             bits |= u32::from(!is_missed) << lane;
         }
-        all.candidates = bits & ((1 << self.count) - 1);
+        all.candidates = bits & self.all();
         all
     }
 
