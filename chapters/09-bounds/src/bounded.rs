@@ -20,7 +20,7 @@ pub struct Bounded<'a, R: Real> {
     unbounded: Vec<usize>,
     bounds: Bounds<R>,
     trial: Trial,
-    /// Through which matrix each ray is carried before each test; `None` where that is not asked for.
+    /// A⁻¹ and t, through which each ray is carried before each test; `None` where that is not asked for.
     carried: Option<Affine<R>>,
 }
 

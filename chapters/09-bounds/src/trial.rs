@@ -163,9 +163,8 @@ impl<R: Real> Tried<'_, R> {
     #[inline(never)]
     fn on_the_long_way(&mut self, part: usize) -> Option<R> {
         let Some(by) = self.carried else { return self.on_by_notes(part, self.query.ray) };
-        let inverse = by.a.inverse();
         let Ray3 { origin, direction } = self.query.ray;
-        let ray = Ray3::new(inverse.times(origin - by.t), inverse.times(direction));
+        let ray = Ray3::new(by.a.times(origin - by.t), by.a.times(direction));
         match self.boxes {
             Some(_) => self.on_by_notes(part, ray),
             None => {
