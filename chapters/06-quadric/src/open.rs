@@ -16,11 +16,14 @@
 //! signs first, as for the unit solids, and works out one root. [`OpenCone::normal`] is the side away from the axis,
 //! [`OpenCone::bounds`] a box around it all.
 
+mod at_once;
 mod bounds;
 mod crossing;
 mod line;
 mod normal;
 pub mod notes;
+mod place;
+mod plain;
 pub mod robust;
 #[cfg(all(test, feature = "stage"))]
 mod sweep;

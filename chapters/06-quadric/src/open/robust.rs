@@ -3,14 +3,18 @@
 //! The axis v = apex − base is a difference, and a rounded one would be another cone's: a ray that lies in the wall
 //! would be beside it. So v is kept with all its digits, and f, which the notes divide by (v·v)², is not divided at all.
 //! Each formula is tried in `f64` with a bound on its error, then with twice the digits, then exactly.
+//!
+//! Before that both roots are worked out in plain `f64`, with bounds that follow from a few lengths
+//! (`at_once.rs`). Nearly every ray is told so, and λ needs f in one more place then
+//! (`plain.rs`, `place.rs`).
 
 use math::wide::{exponent_of, scaled};
-use math::{Bounded, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector, Wide};
+use math::{Bounded, Certainty, Degenerate, Exact, Hit, Ray3, Real, Span, TwoPart, Vector, Wide};
 
 use super::line::Line;
+use super::plain::{plain_t, plainly};
 use super::{OpenCone, Verdict};
 use crate::Hit3;
-use math::Certainty;
 
 /// Every number of the robust method.
 ///
@@ -29,24 +33,46 @@ pub struct Robust<R: Real> {
     pub t: Option<R>,
     /// With what kind of number t was worked out.
     pub t_certainty: Certainty,
+    refused: Option<Degenerate>,
 }
 
 /// Works out the robust method.
-#[inline(always)]
+#[inline]
 pub fn robust<R: Real>(ray: &Ray3<R>, cone: &OpenCone<R>) -> Robust<R> {
-    let at_once = Certainty::AtOnce;
-    if cone.check(ray).is_err() {
-        let (verdict, t) = (Verdict::Misses, None);
-        return Robust { ray: *ray, cone: *cone, verdict, certainty: at_once, t, t_certainty: at_once };
-    }
     let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
     let measures = cone.in_f64();
-    let (verdict, certainty) = match Line::<Bounded<f64>>::new(&measures, o, d).verdict() {
-        Some(verdict) => (verdict, at_once),
-        None => careful_verdict(&measures, o, d, 0.0),
+    let Some((wall, verdict, lambda)) = plainly(&measures, o, d) else {
+        return carefully(ray, cone, &measures, [o, d]);
     };
-    let (t, t_certainty) = t_of(&measures, o, d, verdict);
-    Robust { ray: *ray, cone: *cone, verdict, certainty, t, t_certainty }
+    let (t, t_certainty) = match verdict {
+        Verdict::Misses => (None, Certainty::AtOnce),
+        _ => plain_t(&wall, &measures, [o, d], verdict, lambda)
+            .unwrap_or_else(|| t_of(&measures, o, d, verdict)),
+    };
+    let certainty = Certainty::AtOnce;
+    Robust { ray: *ray, cone: *cone, verdict, certainty, t, t_certainty, refused: None }
+}
+
+/// The same where plain `f64` is in doubt.
+#[cold]
+#[inline(never)]
+fn carefully<R: Real>(
+    ray: &Ray3<R>,
+    cone: &OpenCone<R>,
+    measures: &OpenCone<f64>,
+    [o, d]: [[f64; 3]; 2],
+) -> Robust<R> {
+    let (ray, cone, at_once) = (*ray, *cone, Certainty::AtOnce);
+    if let Err(reason) = cone.check(&ray) {
+        let (verdict, t, refused) = (Verdict::Misses, None, Some(reason));
+        return Robust { ray, cone, verdict, certainty: at_once, t, t_certainty: at_once, refused };
+    }
+    let (verdict, certainty) = match Line::<Bounded<f64>>::new(measures, o, d).verdict() {
+        Some(verdict) => (verdict, at_once),
+        None => careful_verdict(measures, o, d, 0.0),
+    };
+    let (t, t_certainty) = t_of(measures, o, d, verdict);
+    Robust { ray, cone, verdict, certainty, t, t_certainty, refused: None }
 }
 
 /// The verdict from λ on, with twice the digits, or exactly.
@@ -97,9 +123,8 @@ impl<R: Real> Robust<R> {
     /// given as span.min; span.max is compared with t as rounded. What lies behind the origin is not looked for.
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        self.cone.check(&self.ray)?;
         let zero = R::from(0.0);
-        let Some(t) = self.t else { return Ok(None) };
+        let Some(t) = self.t else { return self.refused.map_or(Ok(None), Err) };
         let (verdict, t) = if span.min <= zero || is_clearly_beyond(t, span.min) {
             (self.verdict, t)
         } else {

@@ -1,6 +1,7 @@
 //! Seeded rays of every kind, against the oracle.
 
 mod draw;
+mod plain;
 
 use lab::oracle::open_cone;
 use lab::{Accuracy, Answer, Draw, Judgment, Truth};
