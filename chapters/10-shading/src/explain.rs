@@ -57,10 +57,10 @@ fn pixel_of<R: Real>(
     section.vector::<R>("ē", "the eye", ray.origin).vector::<R>("d⃗_ij", "p̄_ij − ē", ray.direction);
     if !whole.is_empty() {
         let (width, height) = scene.geometry.size;
-        section.note(format!("pixel {},{} {whole}, {width} x {height}", own.0, own.1));
+        section.note(format!("pixel {},{} {whole}, {width} × {height}", own.0, own.1));
     }
     if samples > 1 {
-        section.remark(format!("One of the {samples} x {samples} rays of this pixel, in the middle of it."));
+        section.remark(format!("One of the {samples} × {samples} rays of this pixel, in the middle of it."));
     }
     let mut e = scene.background;
     match landed {
@@ -118,7 +118,7 @@ fn surface<R: Real>(transcript: &mut Transcript, lighting: &Lighting<'_, R>, lan
             .step("u, v", "in the object's own space", Value::Array(vec![Value::number(u), Value::number(v)]))
             .note(match &texture.texture {
                 crate::Texture::Checker { scale, .. } => format!("a checker, its squares {scale} wide"),
-                crate::Texture::Image { size, .. } => format!("a picture of {} x {} pixels", size.0, size.1),
+                crate::Texture::Image { size, .. } => format!("a picture of {} × {} pixels", size.0, size.1),
             })
             .step("texture", "its color at (u, v)", rgb(texture.color(u, v)));
     }
@@ -168,13 +168,13 @@ pub(crate) fn picture(transcript: &mut Transcript, rendered: &Rendered) {
     let Work { eye_rays, hits, shadow_rays, blocked, of_eye, of_shadows } = rendered.work;
     let (width, height) = rendered.size;
     let whole = |count: u64| Value::number(count as f64);
-    let section = transcript.section(format!("The {width} x {height} pixels around it"), "");
+    let section = transcript.section(format!("The {width} × {height} pixels around it"), "");
     section
         .step("eye rays", "one a sample", whole(eye_rays))
         .note(format!("{hits} of them hit"))
-        .step("shadow rays", "one a light with n⃗·s⃗ > 0, where r_d + r_s > 0", whole(shadow_rays))
+        .step("shadow rays", "where n⃗·s⃗ > 0 and r_d + r_s > 0", whole(shadow_rays))
         .note(format!("{blocked} of them are blocked"))
-        .step("tests", "objects and faces tested by eye rays", whole(of_eye.tests))
+        .step("tests", "objects and faces, by eye rays", whole(of_eye.tests))
         .note(format!("and {} boxes", of_eye.boxes))
         .step("tests", "by shadow rays", whole(of_shadows.tests))
         .note(format!("and {} boxes", of_shadows.boxes));

@@ -105,7 +105,8 @@ fn blocked<R: Real>(
     let parts = lighting.bounded.all_parts();
     let (object, shape) = (parts.object(first.part), parts.shape(first.part).name());
     let itself = match first.part == point.landing.part {
-        true => ", the very surface: acne, unless the ray went through a solid",
+        true if point.turned.from_outside => ", the very surface that the ray leaves: acne",
+        true => ", the other side of what the ray is in",
         false if object == point.landing.object => ", the object itself",
         false => "",
     };

@@ -16,7 +16,8 @@ pub(super) fn explain<R: Real>(transcript: &mut Transcript, lighting: &Lighting<
     section
         .step("q̄", "p̄ put back on its surface, in f64", Value::Array(foot.point.map(Value::number).to_vec()))
         .number("error", "how far q̄ is from the surface at most", foot.error)
-        .number("rounding", "u Σ |n_i q_i|: what writing it down may cost", foot.rounding)
+        .number("rounding", "u Σ |n_i q_i|", foot.rounding)
+        .note(format!("what it may cost to write it down in {}", R::NAME))
         .number("offset", "error + rounding", foot.offset())
         .note("along n⃗: bound starts there, outside in any case");
     let side = usize::from(!point.turned.from_outside);
