@@ -64,7 +64,7 @@ impl<R: Real> Landing<R> {
     /// and n⃗ turns with it.
     #[inline(always)]
     pub fn turned_toward(&self, direction: R::Vec3) -> Turned<R> {
-        let from_outside = !(self.face_normal.dot(direction) > R::from(0.0));
+        let from_outside = self.face_normal.dot(direction) <= R::from(0.0);
         match from_outside {
             true => Turned { n: self.normal, face: self.face_normal, from_outside },
             false => Turned { n: -self.normal, face: -self.face_normal, from_outside },

@@ -13,8 +13,8 @@ use crate::{Scene, Start, from_file, layout, own};
 
 /// The value of the last step of that name.
 fn value(sections: &[Section], symbol: &str) -> Option<Value> {
-    let steps = sections.iter().flat_map(|section| &section.steps);
-    steps.filter(|step| step.symbol == symbol).last().map(|step| step.value.clone())
+    let mut steps = sections.iter().flat_map(|section| &section.steps);
+    steps.rfind(|step| step.symbol == symbol).map(|step| step.value.clone())
 }
 
 /// The three bytes that the transcript ends with are those of the picture, in every part of it, by every method.

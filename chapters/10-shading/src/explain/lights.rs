@@ -86,7 +86,7 @@ fn one<R: Real>(
 
 fn mirrored<R: Real>(section: &mut Section, terms: &Phong<R>) {
     section.vector::<R>("m⃗", "2 (s⃗·n⃗) n⃗ − s⃗", terms.m).number("c⃗·m⃗", "", terms.c_dot_m);
-    if !(terms.c_dot_m > R::from(0.0)) {
+    if terms.c_dot_m <= R::from(0.0) {
         section.note("not above 0: no highlight");
     }
 }
