@@ -122,13 +122,14 @@ fn is_the_same(value: &Value, field: &str) -> bool {
 }
 
 /// Where the methods of a chapter differ.
-const TELLING: [(&str, &[&str]); 6] = [
+const TELLING: [(&str, &[&str]); 7] = [
     ("ray-wall", &["ordinary", "both-extreme"]),
     ("ray-plane", &["ordinary", "near-parallel", "vectors-extreme"]),
     ("ray-sphere", &["ordinary", "far-1e4", "on-surface-exact"]),
     ("triangle", &["ordinary", "edge"]),
     ("quadric", &["ordinary", "cone-apex"]),
     ("affine", &["ordinary", "condition-1e6"]),
+    ("shading", &["unit-at-0", "small-at-1e3", "into-sphere", "cone", "squashed"]),
 ];
 
 /// Neither the machine nor its threads decide what is not a time or follows from one.

@@ -24,7 +24,7 @@ pub(super) fn explain<R: Real>(
             section.vector::<R>("x̄", "(p̄ − c̄) / r, on the unit sphere", x);
             both::<R>(section, Smooth::Sphere, x, n, |n| n);
         }
-        Shape::Solid(solid) => solids::<R>(section, of(*solid), *solid, landing.point, n, |n| n),
+        Shape::Solid(solid) => solids::<R>(section, *solid, (landing.point, n), n, |n| n),
         Shape::Deformed(deformed) => of_deformed(section, deformed, landing.point, n),
         Shape::Triangle(triangle) => {
             let (a, b) = (triangle.p2 - triangle.p1, triangle.p3 - triangle.p1);
@@ -53,13 +53,6 @@ pub(super) fn explain<R: Real>(
         true => "it already is",
         false => "the ray comes from the other side",
     });
-}
-
-fn of(solid: Solid) -> Smooth {
-    match solid {
-        Solid::Cylinder => Smooth::Cylinder,
-        Solid::Cone => Smooth::Cone,
-    }
 }
 
 /// Gradient and tangents of a smooth unit shape, carried into the world, beside what the method of the shape says.
@@ -112,29 +105,26 @@ fn f_of(shape: Smooth) -> &'static str {
     }
 }
 
-/// A solid's wall is smooth, its caps are flat.
+/// A solid's wall is smooth, its caps are flat. `own_n` is n⃗ in the solid's own space, of any length.
 fn solids<R: Real>(
     section: &mut Section,
-    smooth: Smooth,
     solid: Solid,
-    x: R::Vec3,
+    (x, own_n): (R::Vec3, R::Vec3),
     n: R::Vec3,
     carried: impl Fn(R::Vec3) -> R::Vec3,
 ) {
-    let [_, _, z] = R::xyz(x);
-    let zero = R::from(0.0);
-    let up = carried(R::vec3(zero, zero, R::from(1.0)));
-    // a wall's normal is farther from the axis than a cap's, which is the axis
-    let along = up.dot(n);
-    let is_cap = match solid {
-        Solid::Cylinder => along * along > R::from(0.5) && z * z > R::from(0.5),
-        Solid::Cone => along < zero && z < R::from(0.5),
-    };
-    if is_cap {
-        let cap = R::vec3(zero, zero, if z > R::from(0.5) { R::from(1.0) } else { R::from(-1.0) });
+    let (zero, one) = (R::from(0.0), R::from(1.0));
+    let [across_x, across_y, along] = R::xyz(own_n);
+    // a cap's normal is the axis; a wall's has less along it than across it
+    if across_x * across_x + across_y * across_y < along * along {
+        let cap = R::vec3(zero, zero, if along > zero { one } else { -one });
         section.vector::<R>("∇f", "of f = ± z − h, a cap", cap).vector::<R>("n⃗", "∇f / ‖∇f‖", n);
         return;
     }
+    let smooth = match solid {
+        Solid::Cylinder => Smooth::Cylinder,
+        Solid::Cone => Smooth::Cone,
+    };
     both::<R>(section, smooth, x, n, carried);
 }
 
@@ -142,11 +132,12 @@ fn of_deformed<R: Real>(section: &mut Section, deformed: &Deformed<R>, p: R::Vec
     let x = deformed.inverse.times(p - deformed.affine.t);
     section.vector::<R>("x̄", "A⁻¹ (p̄ − t), in the object's own space", x);
     let carried = |n| deformed.inverse.transposed_times(n).normalized();
+    let own_n = deformed.affine.a.transposed_times(n);
     section.remark("Each n⃗ is carried into the world by A⁻ᵀ, and then has length 1 (CSC418 11.6.1).");
     match deformed.object {
         Object::Sphere => both::<R>(section, Smooth::Sphere, x, n, carried),
-        Object::Cylinder => solids::<R>(section, Smooth::Cylinder, Solid::Cylinder, x, n, carried),
-        Object::Cone => solids::<R>(section, Smooth::Cone, Solid::Cone, x, n, carried),
+        Object::Cylinder => solids::<R>(section, Solid::Cylinder, (x, own_n), n, carried),
+        Object::Cone => solids::<R>(section, Solid::Cone, (x, own_n), n, carried),
         Object::Plane | Object::Triangle => {
             section.vector::<R>("n⃗", "A⁻ᵀ (0, 0, 1) at unit length", n);
         }

@@ -11,7 +11,9 @@
 //!
 //! In what follows u is half a unit of the last digit, the error of one operation. Each bound counts the roundings on the way
 //! and takes the next power of two of them. The notes' formulas are in the precision of the ray, and what they can still
-//! tell apart from zero is no less than as many u of that precision: for them u is that one.
+//! tell apart from zero is no less than as many u of that precision: for them u is that one. Nothing more is promised of them:
+//! at `f32` a few rays by the notes' formulas still meet what they leave, the more of them the flatter it was squashed, as A⁻¹
+//! is rounded. (What is convex and left behind is not tried again: see [`super::Spared`].)
 
 pub mod put;
 
