@@ -1,4 +1,5 @@
-//! `mount`: a square that is split again and again, its midpoints moved up or down by chance, under four balls of glass.
+//! `mount`: a square that is split again and again, its midpoints moved up or down by chance, under four
+//! balls of glass.
 
 use std::f64::consts::PI;
 
