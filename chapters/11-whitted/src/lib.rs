@@ -19,6 +19,8 @@ pub mod counts;
 mod explain;
 #[cfg(feature = "stage")]
 pub mod from_file;
+#[cfg(feature = "stage")]
+pub mod measure;
 pub mod media;
 pub mod mirror;
 #[cfg(feature = "stage")]
@@ -27,6 +29,8 @@ pub mod ray_trace;
 pub mod refract;
 #[cfg(feature = "stage")]
 pub mod render;
+#[cfg(feature = "stage")]
+pub mod report;
 pub mod requirements;
 pub mod scene;
 #[cfg(feature = "stage")]

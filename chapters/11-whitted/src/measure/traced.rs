@@ -1,0 +1,82 @@
+//! Pixels traced in every setting.
+
+use std::time::{Duration, Instant};
+
+use bounds::Bounded;
+use math::Real;
+use scene_file::Error;
+use shading::Rgb;
+use signature::Method;
+
+use super::Setting;
+use crate::{Counts, Path, Requirements, Scene, Tolerance, Tracer, from_file};
+
+/// Traces some pixels: what they see, and the rays.
+pub(super) type Run<'a> = Box<dyn Fn() -> (Vec<Rgb>, Counts) + 'a>;
+
+/// A scene once for each depth that is measured.
+pub(super) fn scenes<R: Real>(
+    file: &scene_file::Scene,
+    settings: &[Setting],
+) -> Result<Vec<Scene<R>>, Error> {
+    let mut depths: Vec<u32> = settings.iter().map(|setting| setting.depth).collect();
+    depths.sort_unstable();
+    depths.dedup();
+    depths.into_iter().map(|depth| from_file::scene(file, None, Some(depth))).collect()
+}
+
+/// A scene of every depth, with its bounds for the formulas of each method.
+pub(super) struct Ready<'a, R: Real> {
+    scenes: &'a [Scene<R>],
+    bounded: Vec<(Method, Bounded<'a, R>)>,
+}
+
+impl<'a, R: Real> Ready<'a, R> {
+    /// Works the bounds out; they are the same at every depth.
+    pub(super) fn of(scenes: &'a [Scene<R>]) -> Ready<'a, R> {
+        let geometry = &scenes[0].lit.geometry;
+        let parts = Bounded::new(geometry, bounds::Method::None).parts();
+        let bounds = Requirements::of(&scenes[0], parts).bounds();
+        let bounded = Method::ALL.map(|method| (method, Bounded::by(method, geometry, bounds))).into();
+        Ready { scenes, bounded }
+    }
+
+    /// What traces these pixels in a setting, of a depth and a method that are there.
+    pub(super) fn run(&'a self, setting: &Setting, pixels: &'a [(u32, u32)]) -> Run<'a> {
+        let scene = self.scenes.iter().find(|scene| scene.max_depth == setting.depth);
+        let bounded = self.bounded.iter().find(|(method, _)| *method == setting.method);
+        let (scene, (_, bounded)) = (scene.unwrap_or(&self.scenes[0]), bounded.unwrap_or(&self.bounded[0]));
+        let requirements = Requirements::of(scene, bounded.parts());
+        let tolerance = setting.tolerance.map(|e| Tolerance::new(scene, e));
+        let tracer = Tracer::new(scene, bounded, &requirements, tolerance);
+        let samples = setting.samples;
+        Box::new(move || {
+            let (mut path, mut counts) = (Path::default(), Counts::default());
+            let see = |&pixel: &(u32, u32)| tracer.pixel(pixel, samples, &mut path, &mut counts);
+            let seen = pixels.iter().map(see).collect();
+            (seen, counts)
+        })
+    }
+}
+
+/// Seconds of each, the median over rounds in which all take turns: at least three, more within the time
+/// allowed.
+pub(super) fn time(runs: &[Run<'_>], allowed: Duration) -> Vec<f64> {
+    let start = Instant::now();
+    let mut rounds: Vec<Vec<f64>> = vec![Vec::new(); runs.len()];
+    for round in 0.. {
+        if round >= 3 && start.elapsed() > allowed {
+            break;
+        }
+        for (run, seconds) in runs.iter().zip(&mut rounds) {
+            let start = Instant::now();
+            std::hint::black_box(run());
+            seconds.push(start.elapsed().as_secs_f64());
+        }
+    }
+    let median = |mut seconds: Vec<f64>| {
+        seconds.sort_by(f64::total_cmp);
+        seconds[seconds.len() / 2]
+    };
+    rounds.into_iter().map(median).collect()
+}
