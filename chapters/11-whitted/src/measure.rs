@@ -86,8 +86,11 @@ impl Measured {
 /// How much is measured of a scene.
 #[derive(Clone, Copy, Debug)]
 struct Effort {
+    /// Whose errors are found.
     pixels: usize,
-    /// At least three rounds, and more within this.
+    /// One of so many of them is timed.
+    one_of: usize,
+    /// There are more rounds than the fewest within this.
     allowed: Duration,
 }
 
@@ -110,9 +113,10 @@ pub fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
             own.collect::<Result<_, Error>>()?
         }
     };
-    let (pixels, seconds) = if ask.quick { (60, 3.0) } else { (1200, 60.0) };
+    let (pixels, one_of, seconds) = if ask.quick { (60, 2, 3.0) } else { (1200, 3, 40.0) };
     let effort = Effort {
         pixels: ask.cases.unwrap_or(pixels).max(1),
+        one_of,
         allowed: Duration::from_secs_f64(seconds / files.len().max(1) as f64),
     };
     let progress = Progress::new(files.len() as u64);
@@ -146,7 +150,7 @@ fn in_scene(
         .filter(|setting| setting.precision == Precision::F64 || single.is_some())
         .collect();
 
-    let exact = |samples| double.run(&Setting { samples, ..safest(depth) }, &pixels)().0;
+    let exact = |samples| double.run(&Setting { samples, ..safest(depth) })(&pixels).0;
     let reference = exact(REFERENCE);
     let with_samples: Vec<(u32, Vec<Rgb>)> =
         Setting::SAMPLES.iter().map(|&samples| (samples, exact(samples))).collect();
@@ -154,22 +158,24 @@ fn in_scene(
     let runs: Vec<Run<'_>> = settings
         .iter()
         .map(|setting| match (setting.precision, &single) {
-            (Precision::F32, Some(single)) => single.run(setting, &pixels),
-            _ => double.run(setting, &pixels),
+            (Precision::F32, Some(single)) => single.run(setting),
+            _ => double.run(setting),
         })
         .collect();
     let found: Vec<(Counts, Off, Off)> = runs
         .iter()
         .zip(&settings)
         .map(|(run, setting)| {
-            let (seen, counts) = run();
+            let (seen, counts) = run(&pixels);
             let alike = with_samples.iter().find(|(samples, _)| *samples == setting.samples);
             let alone = alike.map_or(Off::default(), |(_, exact)| Off::of(&seen, exact));
             (counts, Off::of(&seen, &reference), alone)
         })
         .collect();
-    let share = pixels.len() as f64 / (f64::from(size.0) * f64::from(size.1));
-    let seconds: Vec<f64> = time(&runs, effort.allowed).into_iter().map(|it| it / share).collect();
+    let timed: Vec<(u32, u32)> = pixels.iter().copied().step_by(effort.one_of).collect();
+    let share = timed.len() as f64 / (f64::from(size.0) * f64::from(size.1));
+    let seconds = time(&runs, &timed, effort.allowed).into_iter().map(|seconds| seconds / share);
+    let seconds: Vec<f64> = seconds.collect();
 
     let points: Vec<(f64, f64)> =
         seconds.iter().zip(&found).map(|(seconds, (_, off, _))| (*seconds, off.rmse)).collect();

@@ -18,7 +18,7 @@ fn ask(regime: &str) -> TradeAsk {
 /// Eight pixels, and no more rounds than it takes.
 fn measured(ask: &TradeAsk) -> Measured {
     let scene = SCENES.into_iter().find(|scene| scene.name == ask.regimes[0]).unwrap();
-    let effort = Effort { pixels: 8, allowed: Duration::ZERO };
+    let effort = Effort { pixels: 8, one_of: 4, allowed: Duration::ZERO };
     in_scene(scene.name.to_string(), String::new(), &scene.file().unwrap(), ask, effort).unwrap()
 }
 

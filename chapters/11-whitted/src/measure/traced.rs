@@ -1,5 +1,6 @@
 //! Pixels traced in every setting.
 
+use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use bounds::Bounded;
@@ -11,8 +12,8 @@ use signature::Method;
 use super::Setting;
 use crate::{Counts, Path, Requirements, Scene, Tolerance, Tracer, from_file};
 
-/// Traces some pixels: what they see, and the rays.
-pub(super) type Run<'a> = Box<dyn Fn() -> (Vec<Rgb>, Counts) + 'a>;
+/// Traces pixels: what they see, and the rays.
+pub(super) type Run<'a> = Box<dyn Fn(&[(u32, u32)]) -> (Vec<Rgb>, Counts) + 'a>;
 
 /// A scene once for each depth that is measured.
 pub(super) fn scenes<R: Real>(
@@ -41,8 +42,8 @@ impl<'a, R: Real> Ready<'a, R> {
         Ready { scenes, bounded }
     }
 
-    /// What traces these pixels in a setting, of a depth and a method that are there.
-    pub(super) fn run(&'a self, setting: &Setting, pixels: &'a [(u32, u32)]) -> Run<'a> {
+    /// What traces pixels in a setting, of a depth and a method that are there.
+    pub(super) fn run(&'a self, setting: &Setting) -> Run<'a> {
         let scene = self.scenes.iter().find(|scene| scene.max_depth == setting.depth);
         let bounded = self.bounded.iter().find(|(method, _)| *method == setting.method);
         let (scene, (_, bounded)) = (scene.unwrap_or(&self.scenes[0]), bounded.unwrap_or(&self.bounded[0]));
@@ -50,7 +51,7 @@ impl<'a, R: Real> Ready<'a, R> {
         let tolerance = setting.tolerance.map(|e| Tolerance::new(scene, e));
         let tracer = Tracer::new(scene, bounded, &requirements, tolerance);
         let samples = setting.samples;
-        Box::new(move || {
+        Box::new(move |pixels| {
             let (mut path, mut counts) = (Path::default(), Counts::default());
             let see = |&pixel: &(u32, u32)| tracer.pixel(pixel, samples, &mut path, &mut counts);
             let seen = pixels.iter().map(see).collect();
@@ -59,24 +60,33 @@ impl<'a, R: Real> Ready<'a, R> {
     }
 }
 
-/// Seconds of each, the median over rounds in which all take turns: at least three, more within the time
-/// allowed.
-pub(super) fn time(runs: &[Run<'_>], allowed: Duration) -> Vec<f64> {
+/// Pixels that are timed in one go: a few milliseconds at the most, so that what else the machine does seldom
+/// falls into one.
+const AT_ONCE: usize = 40;
+/// No fewer rounds than these, if need be longer than is allowed.
+const FEWEST: usize = 5;
+
+/// Seconds that each takes for these pixels. They go through them by handfuls, in turns; of each handful the
+/// median over rounds counts, at least [`FEWEST`], more within the time allowed.
+pub(super) fn time(runs: &[Run<'_>], pixels: &[(u32, u32)], allowed: Duration) -> Vec<f64> {
+    let handfuls: Vec<&[(u32, u32)]> = pixels.chunks(AT_ONCE).collect();
     let start = Instant::now();
-    let mut rounds: Vec<Vec<f64>> = vec![Vec::new(); runs.len()];
+    let mut rounds: Vec<Vec<Vec<f64>>> = vec![vec![Vec::new(); handfuls.len()]; runs.len()];
     for round in 0.. {
-        if round >= 3 && start.elapsed() > allowed {
+        if round >= FEWEST && start.elapsed() > allowed {
             break;
         }
-        for (run, seconds) in runs.iter().zip(&mut rounds) {
-            let start = Instant::now();
-            std::hint::black_box(run());
-            seconds.push(start.elapsed().as_secs_f64());
+        for (at, handful) in handfuls.iter().enumerate() {
+            for (run, rounds) in runs.iter().zip(&mut rounds) {
+                let start = Instant::now();
+                black_box(run(handful));
+                rounds[at].push(start.elapsed().as_secs_f64());
+            }
         }
     }
     let median = |mut seconds: Vec<f64>| {
         seconds.sort_by(f64::total_cmp);
         seconds[seconds.len() / 2]
     };
-    rounds.into_iter().map(median).collect()
+    rounds.into_iter().map(|handfuls| handfuls.into_iter().map(median).sum()).collect()
 }
