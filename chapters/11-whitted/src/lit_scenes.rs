@@ -1,4 +1,4 @@
-//! Scenes for tests: the chapter's own, and those of chapter 08 with lights and with materials that mirror and let through.
+//! Scenes for tests: the chapter's own ones, and those of chapter 08 with lights and with materials that mirror and let through.
 
 use bounds::{Bounded, Parts};
 use math::Real;
@@ -23,9 +23,10 @@ pub(crate) const OF_CHAPTER_08: [&str; 11] = [
     "gears1",
 ];
 
-/// The chapter's own scene, and each of chapter 08's as it is, with materials that bend, and with such as do not.
+/// The chapter's own scenes, and each of chapter 08's as it is, with materials that bend, and with such as do not.
 pub(crate) fn all() -> Vec<(String, File)> {
-    let mut all = vec![("whitted".to_string(), crate::stage::read(None).unwrap())];
+    let own = crate::scenes::SCENES.iter().map(|scene| (scene.name.to_string(), scene.file().unwrap()));
+    let mut all: Vec<(String, File)> = own.collect();
     for name in OF_CHAPTER_08 {
         let file = signature::stage::built_in(name).unwrap();
         all.push((name.to_string(), lit(file.clone())));

@@ -8,6 +8,7 @@ use signature::Method;
 use signature::stage::fault;
 use stage::{About, Ask, Chapter, Error, Flag, Precision, Shown, TradeAsk, Traded, Transcript};
 
+use crate::scenes::SCENES;
 use crate::show::{self, Shot};
 use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, picture, render};
 
@@ -16,8 +17,8 @@ pub struct Whitted;
 
 /// The size of the chapter's own picture.
 const SIZE: (u32, u32) = (960, 720);
-/// The pixel of it that is explained when none is asked for: the mirror shows the glass there.
-const WORKED: (u32, u32) = (368, 243);
+/// The pixel of it that is explained when none is asked for: through the thin ball it sees the mirror.
+const WORKED: (u32, u32) = (470, 230);
 
 impl Chapter for Whitted {
     fn about(&self) -> About {
@@ -44,7 +45,7 @@ impl Chapter for Whitted {
             words: &[],
             results: &[],
             trade: "Time against error.",
-            regimes: vec![("whitted", "a mirror, a glass and a matte ball on a checkered floor")],
+            regimes: SCENES.iter().map(|scene| (scene.name, scene.what)).collect(),
         }
     }
 
@@ -98,9 +99,6 @@ impl Chapter for Whitted {
 pub fn read(path: Option<&Path>) -> Result<scene_file::Scene, Error> {
     match path {
         Some(path) => scene_file::Scene::read(path).map_err(fault),
-        None => scene_file::Scene::built_in(OWN.0, &[OWN]).map_err(fault),
+        None => SCENES[0].file(),
     }
 }
-
-/// The chapter's own scene.
-const OWN: (&str, &[u8]) = ("whitted.toml", include_bytes!("../scenes/whitted.toml"));

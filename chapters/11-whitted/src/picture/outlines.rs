@@ -17,10 +17,15 @@ pub(super) enum Outline {
 }
 
 impl From {
-    /// A sphere's circle; of what else has an extent, what its box covers; nothing for a plane.
+    /// A sphere's circle; of another solid or a mesh what its box covers; nothing for what is flat, as a floor would be
+    /// larger than all that stands on it.
     pub(super) fn outline<R: Real>(&self, shot: &Shot<'_, R>, object: usize) -> Option<Outline> {
-        if let Shape::Sphere(sphere) = &shot.scene.lit.geometry.objects[object].shape {
-            return Some(Outline::Circle(self.place(sphere.center), sphere.radius.into()));
+        match &shot.scene.lit.geometry.objects[object].shape {
+            Shape::Sphere(sphere) => {
+                return Some(Outline::Circle(self.place(sphere.center), sphere.radius.into()));
+            }
+            Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) => return None,
+            _ => {}
         }
         let bounds = shot.parts.object_bounds(object)?;
         let corner = |which: usize, axis: usize| {
@@ -64,9 +69,10 @@ impl From {
         }
     }
 
-    /// The materials' names, below the objects.
+    /// The materials' names, below the objects, where there is room.
     pub(super) fn names<R: Real>(&self, canvas: &mut Canvas, shot: &Shot<'_, R>) {
         let lit = &shot.scene.lit;
+        let mut taken: Vec<(f32, f32)> = Vec::new();
         for object in 0..lit.geometry.objects.len() {
             let place = match self.outline(shot, object) {
                 Some(Outline::Circle((x, y), r)) => (x, y - r),
@@ -77,6 +83,11 @@ impl From {
                 None => continue,
             };
             let (x, y) = self.view.at(place);
+            if taken.iter().any(|other| (x - other.0).abs() < 4.0 * LETTERS && (y - other.1).abs() < LETTERS)
+            {
+                continue;
+            }
+            taken.push((x, y));
             let name = shot.names.material(lit.painted[object].material);
             canvas.label((x, y + LETTERS), Anchor::Middle, LETTERS, Color::GRAY, name);
         }
