@@ -97,8 +97,9 @@ impl<'a, R: Real> Bounded<'a, R> {
         };
         let bounds = match method.or_required(parts.count()) {
             Method::None | Method::Auto => {
-                let sphere = |part| match parts.shape(part) {
-                    signature::Shape::Sphere(sphere) => Some(*sphere),
+                // a ray that surely misses a sphere may hit it by the notes' formulas: those are asked one by one
+                let sphere = |part| match (formulas, parts.shape(part)) {
+                    (Formulas::Robust, signature::Shape::Sphere(sphere)) => Some(*sphere),
                     _ => None,
                 };
                 let (spheres, rest) = Spheres::blocks((0..parts.count()).map(|part| (part, sphere(part))));

@@ -65,10 +65,10 @@ impl<'a, R: Real> Lighting<'a, R> {
         let parts = self.bounded.all_parts();
         let shape = parts.shape(landing.part);
         let face = parts.face(landing.part);
-        let mut starts = Starts::of(self.start, self.bounded.formulas(), shape, face, &landing);
-        // the notes' formulas do not agree that it is not met again, so there it is no idle question
-        let is_by_notes = self.bounded.formulas() == Method::Notes;
-        if self.start == Start::Bound && (is_by_notes || !self.idle_tests) {
+        let formulas = self.bounded.formulas();
+        let mut starts = Starts::of(self.start, formulas, shape, face, &landing);
+        // the notes' formulas may say of what cannot be met that it is, and they are taken at their word
+        if self.start == Start::Bound && formulas == Method::Robust && !self.idle_tests {
             starts.spared = Spared::of(shape, landing.part);
         }
         Some(Point {
@@ -127,8 +127,7 @@ impl<'a, R: Real> Lighting<'a, R> {
         let light = &self.scene.lights[light];
         let to_light = light.position - point.landing.point;
         // n⃗·s⃗ > 0, without the length of s⃗
-        let faces_the_light = point.turned.n.dot(to_light) > R::from(0.0);
-        if !faces_the_light {
+        if !(point.turned.n.dot(to_light) > R::from(0.0)) {
             return Fate::Behind;
         }
         let material = &self.scene.materials[self.scene.painted[point.landing.object].material];
