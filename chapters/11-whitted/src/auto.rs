@@ -172,3 +172,6 @@ pub(crate) fn say(transcript: &mut Transcript, found: &Found) {
         Precision::F64 => "f64: the difference would be seen",
     });
 }
+
+#[cfg(test)]
+mod tests;

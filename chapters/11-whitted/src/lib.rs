@@ -54,4 +54,6 @@ pub use tree::Tree;
 pub use witness::{Kind, Sent, Witness};
 
 #[cfg(all(test, feature = "stage"))]
+mod by_hand;
+#[cfg(all(test, feature = "stage"))]
 mod lit_scenes;

@@ -93,7 +93,8 @@ pub(crate) fn pixel<R: Real>(
     if counts.left_out > 0 {
         section.step("left out", "rays that are not sent, within the tolerance", whole(counts.left_out));
     }
-    let off = eye.e.0.iter().zip(tree.sum.0).map(|(e, sum)| (e - sum).abs()).fold(0.0, f64::max);
+    let off = |(e, sum): (f64, f64)| if e == sum { 0.0 } else { (e - sum).abs() };
+    let off = eye.e.0.into_iter().zip(tree.sum.0).map(off).fold(0.0, f64::max);
     section
         .step("Σ w I", "the contributions of all rays", rgb(tree.sum))
         .step("E", "rayTrace(p̄_ij, d⃗_ij, 1)", rgb(eye.e))
@@ -178,3 +179,6 @@ pub(crate) fn counts(transcript: &mut Transcript, rendered: &Rendered, tolerance
     );
     section.note(format!("{} of them hit, nearer than before", search.hits));
 }
+
+#[cfg(test)]
+mod tests;

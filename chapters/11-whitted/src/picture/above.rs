@@ -164,7 +164,7 @@ fn clipped((x, y): Place, (to_x, to_y): Place, [low, high]: [Place; 2]) -> Optio
         let (a, b) = ((low - p) / d, (high - p) / d);
         (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
     }
-    (enters < leaves).then(|| ((x + enters * dx, y + enters * dy), (x + leaves * dx, y + leaves * dy)))
+    (enters < leaves).then_some(((x + enters * dx, y + enters * dy), (x + leaves * dx, y + leaves * dy)))
 }
 
 /// The width of a ray with this weight.
