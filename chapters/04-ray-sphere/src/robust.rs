@@ -131,6 +131,20 @@ pub fn hit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, span: Span<R>) -> Result<
     robust_from(ray, sphere, span.min.into()).hit(span)
 }
 
+/// The same for a ray that is known to start within the sphere, however little: it can only leave it.
+#[inline(always)]
+pub fn hit_from_within<R: Real>(
+    ray: &Ray3<R>,
+    sphere: &Sphere<R>,
+    span: Span<R>,
+) -> Result<Option<Hit3<R>>, Degenerate> {
+    let mut robust = robust_from(ray, sphere, f64::INFINITY);
+    if let Some(roots) = &mut robust.chord.roots {
+        roots.near = f64::NEG_INFINITY;
+    }
+    robust.hit(span)
+}
+
 /// The robust method; the near root may be rough where it is before `from`.
 #[inline(always)]
 fn robust_from<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, from: f64) -> Robust<R> {

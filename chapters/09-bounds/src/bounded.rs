@@ -3,7 +3,7 @@
 use affine::{Affine, Matrix3};
 use math::{Ray3, Real, Span};
 use ray_sphere::{Sphere, robust};
-use signature::{First, Hit3, Method as Formulas, Scene};
+use signature::{First, Hit3, Method as Formulas, Scene, Shape};
 
 use crate::projected::{Extents, rectangle};
 use crate::trial::{Trial, Tried};
@@ -99,7 +99,7 @@ impl<'a, R: Real> Bounded<'a, R> {
             Method::None | Method::Auto => {
                 // a ray that surely misses a sphere may hit it by the notes' formulas: those are asked one by one
                 let sphere = |part| match (formulas, parts.shape(part)) {
-                    (Formulas::Robust, signature::Shape::Sphere(sphere)) => Some(*sphere),
+                    (Formulas::Robust, Shape::Sphere(sphere)) => Some(*sphere),
                     _ => None,
                 };
                 let (spheres, rest) = Spheres::blocks((0..parts.count()).map(|part| (part, sphere(part))));
@@ -109,7 +109,7 @@ impl<'a, R: Real> Bounded<'a, R> {
                 let around = |(object, bounds): (usize, Box3)| {
                     // a sphere is its own
                     let own = match &scene.objects[object].shape {
-                        signature::Shape::Sphere(sphere) => Some(*sphere),
+                        Shape::Sphere(sphere) => Some(*sphere),
                         _ => sphere_around(&bounds),
                     };
                     (object, own)
@@ -182,7 +182,13 @@ impl<'a, R: Real> Bounded<'a, R> {
     pub fn first_hit_of(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<(usize, Hit3<R>)> {
         let (part, lambda) = self.search::<false>(query, None, counts)?;
         let span = Span::new(query.span.min, lambda.unwrap_or(query.span.max));
-        Some((part, self.parts.whole_hit(self.formulas(), part, &query.ray, span)?))
+        let hit = match self.parts.shape(part) {
+            Shape::Sphere(sphere) if query.within == Some(part) && self.formulas() == Formulas::Robust => {
+                ray_sphere::robust::hit_from_within(&query.ray, sphere, span).ok().flatten()
+            }
+            _ => self.parts.whole_hit(self.formulas(), part, &query.ray, span),
+        };
+        Some((part, hit?))
     }
 
     /// Some part that is hit, `None` where nothing is: the search ends with the first that it finds. Which one that is

@@ -28,7 +28,8 @@ const HARMLESS: f64 = f64::EPSILON / 4.0;
 ///
 /// Where the near root is the inner one and certainly before `from`, nobody asks for it, and it stays t_close − h: off by
 /// at most 8u of the outer root, as everything it is made of is at most that, and most of it is behind the origin then.
-/// (C, which is A times the two, is then too far from zero for the doubt above.)
+/// (C, which is A times the two, is then too far from zero for the doubt above.) A `from` of ∞ says that the origin is known
+/// to be within the sphere.
 pub(super) fn chord(
     hit: &Chord,
     p: [TwoPart; 3],
@@ -44,7 +45,8 @@ pub(super) fn chord(
     let outer = hit.t_close + (correction + outward);
     let difference = hit.t_close + (correction - outward);
     let hit = Chord { certainty: Certainty::NearSurface, a, correction, h: Some(h), ..*hit };
-    if hit.t_close >= 0.0 && from >= 0.0 && difference + ROUGH * outer < from.min(f64::MIN_POSITIVE) {
+    let is_before = from == f64::INFINITY || difference + ROUGH * outer < from.min(f64::MIN_POSITIVE);
+    if hit.t_close >= 0.0 && from >= 0.0 && is_before {
         return Some(Chord { roots: Some(Roots { near: difference, far: outer }), ..hit });
     }
     let c = c(l, r_r);
