@@ -127,7 +127,8 @@ impl<'a, R: Real> Lighting<'a, R> {
         let light = &self.scene.lights[light];
         let to_light = light.position - point.landing.point;
         // n⃗·s⃗ > 0, without the length of s⃗
-        if !(point.turned.n.dot(to_light) > R::from(0.0)) {
+        let faces_the_light = point.turned.n.dot(to_light) > R::from(0.0);
+        if !faces_the_light {
             return Fate::Behind;
         }
         let material = &self.scene.materials[self.scene.painted[point.landing.object].material];

@@ -13,7 +13,7 @@
 //! and takes the next power of two of them. The notes' formulas are in the precision of the ray, and what they can still
 //! tell apart from zero is no less than as many u of that precision: for them u is that one. Nothing more is promised of them:
 //! at `f32` a few rays by the notes' formulas still meet what they leave, the more of them the flatter it was squashed, as A⁻¹
-//! is rounded. (What is convex and left behind is not tried again: see [`super::Spared`].)
+//! is rounded.
 
 pub mod put;
 
