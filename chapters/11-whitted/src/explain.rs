@@ -8,6 +8,7 @@ use bounds::Parts;
 use math::Real;
 use stage::{Section, Transcript, Value};
 
+use crate::requirements::dear;
 use crate::show::whole;
 use crate::{Requirements, Scene, Tolerance};
 
@@ -79,7 +80,7 @@ impl<R: Real> Asked<'_, R> {
             if count == 1 { name.to_string() } else { format!("{count} × {name}") }
         };
         let all: Vec<String> = counts.into_iter().map(named).collect();
-        if all.is_empty() { "there are no objects: all is background".to_string() } else { all.join(", ") }
+        if all.is_empty() { "there are no objects: all is background".to_string() } else { all.join("; ") }
     }
 
     fn transforms(&self) -> String {
@@ -142,9 +143,14 @@ impl<R: Real> Asked<'_, R> {
 
     fn acceleration(&self) -> String {
         let (parts, least) = (self.parts, bounds::method::CROSSOVER);
-        match self.requirements.tree {
-            true => format!("{parts} parts to test; from {least} on a tree of boxes pays"),
-            false => {
+        match (self.requirements.tree, dear(self.scene)) {
+            (true, _) if parts >= least => {
+                format!("{parts} parts to test; from {least} on a tree of boxes pays")
+            }
+            (true, dear) => {
+                format!("{parts} parts to test, {dear} of them so dear that a box before one alone pays")
+            }
+            (false, _) => {
                 format!("{parts} parts to test: with fewer than {least} a tree costs more than it saves")
             }
         }
