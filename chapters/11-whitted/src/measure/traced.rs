@@ -60,9 +60,9 @@ impl<'a, R: Real> Ready<'a, R> {
     }
 }
 
-/// Pixels that are timed in one go: a few milliseconds at the most, so that what else the machine does seldom
-/// falls into one.
-const AT_ONCE: usize = 40;
+/// Pixels that are timed in one go: about a millisecond with 4 × 4 rays each, less than the time that a busy
+/// machine gives to one program before it is another's turn.
+const AT_ONCE: usize = 8;
 /// No fewer rounds than these, if need be longer than is allowed.
 const FEWEST: usize = 5;
 
