@@ -137,7 +137,8 @@ impl<'a, R: Real> Bounded<'a, R> {
     /// The same for a program in which any object may be deformed: each ray is carried into a space of each part's own, before
     /// it is tried on it, though the matrix is the identity. What is seen is the same. For who wants to know what that costs.
     pub fn carrying(self) -> Bounded<'a, R> {
-        let identity = Affine { a: Matrix3::identity(), t: R::vec3(R::from(0.0), R::from(0.0), R::from(0.0)) };
+        let identity =
+            Affine { a: Matrix3::identity(), t: R::vec3(R::from(0.0), R::from(0.0), R::from(0.0)) };
         Bounded { carried: Some(identity), ..self }
     }
 
@@ -196,6 +197,17 @@ impl<'a, R: Real> Bounded<'a, R> {
     #[inline]
     pub fn any_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<usize> {
         self.search::<true>(query, None, counts).map(|(part, _)| part)
+    }
+
+    /// Whether one part is hit.
+    #[inline]
+    pub fn hits(&self, part: usize, query: &Query<R>, counts: &mut impl Tally) -> bool {
+        counts.tests(1);
+        let hits = self.trial.begins(&self.parts, self.carried.as_ref(), query).on(part).is_some();
+        if hits {
+            counts.hit();
+        }
+        hits
     }
 
     fn object(&self, first: FirstPart<R>) -> First<R> {

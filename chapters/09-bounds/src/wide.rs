@@ -34,9 +34,9 @@ use crate::tree::build;
 use crate::{Box3, Nearest, Tally, Tree};
 use collapse::{Prices, collapse};
 pub(crate) use dispatch::{Version, Work};
-pub(crate) use spheres::{Passages, Spheres};
 use node::{Child, Node};
 use search::{Leaves, Search, Stack};
+pub(crate) use spheres::{Passages, Spheres};
 
 pub use dispatch::Instructions;
 pub use mesh::WideMesh;

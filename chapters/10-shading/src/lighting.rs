@@ -5,7 +5,7 @@ use math::{Real, Vector};
 use signature::Method;
 
 use crate::landing::Turned;
-use crate::shadow::blocker;
+use crate::shadow::{LastBlockers, blocker};
 use crate::start::Spared;
 use crate::{Landing, Phong, Rgb, Scene, Start, Starts, phong};
 
@@ -107,12 +107,13 @@ impl<'a, R: Real> Lighting<'a, R> {
     pub fn local(
         &self,
         point: &Point<R>,
+        last: &mut LastBlockers,
         counts: &mut impl Tally,
         mut told: impl FnMut(usize, Fate<R>),
     ) -> Rgb {
         let mut e = self.ambient(point.landing.object, point.color);
         for light in 0..self.scene.lights.len() {
-            let fate = self.fate(point, light, counts);
+            let fate = self.fate(point, light, last, counts);
             if let Fate::Seen(phong) = &fate {
                 e += phong.diffuse + phong.specular;
             }
@@ -123,8 +124,14 @@ impl<'a, R: Real> Lighting<'a, R> {
 
     /// One light at a point.
     #[inline(always)]
-    fn fate(&self, point: &Point<R>, light: usize, counts: &mut impl Tally) -> Fate<R> {
-        let light = &self.scene.lights[light];
+    fn fate(
+        &self,
+        point: &Point<R>,
+        number: usize,
+        last: &mut LastBlockers,
+        counts: &mut impl Tally,
+    ) -> Fate<R> {
+        let light = &self.scene.lights[number];
         let to_light = light.position - point.landing.point;
         // n⃗·s⃗ > 0, without the length of s⃗
         let faces_the_light = point.turned.n.dot(to_light) > R::from(0.0);
@@ -135,7 +142,8 @@ impl<'a, R: Real> Lighting<'a, R> {
         if !material.answers_lights() && !self.idle_shadows {
             return Fate::Unanswered;
         }
-        if let Some(blocker) = blocker(self.bounded, &point.starts, light.position, to_light, counts) {
+        let there = (number, light.position);
+        if let Some(blocker) = blocker(self.bounded, &point.starts, there, to_light, last, counts) {
             return Fate::Shadowed(blocker);
         }
         Fate::Seen(phong(material, point.color, light.intensity, point.turned.n, to_light, point.c))

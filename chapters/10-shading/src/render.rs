@@ -4,6 +4,7 @@ use bounds::{Counts, Query};
 use math::{Ray3, Real, Span};
 use stage::{Error, Tile, Workers, tiled};
 
+use crate::shadow::LastBlockers;
 use crate::{Fate, Landing, Lighting, Point, Rgb};
 
 /// What one pixel sees, term by term; with more samples, their means.
@@ -142,7 +143,7 @@ impl<R: Real> Lighting<'_, R> {
         };
         let mut seen = Seen { ambient: self.ambient(landing.object, point.color), ..Seen::default() };
         let (mut shadow_rays, mut blocked) = (0, 0);
-        seen.e = self.local(&point, &mut work.of_shadows, |light, fate| {
+        seen.e = self.local(&point, &mut LastBlockers::default(), &mut work.of_shadows, |light, fate| {
             shadow_rays += u64::from(matches!(fate, Fate::Seen(_) | Fate::Shadowed(_)));
             blocked += u64::from(matches!(fate, Fate::Shadowed(_)));
             if let Fate::Seen(phong) = fate {

@@ -3,6 +3,7 @@
 use bounds::{Bounded, Query};
 use math::{Ray3, Real, Span, Vector};
 use shading::lighting::Point;
+use shading::shadow::LastBlockers;
 use shading::{Fate, Landing, Lighting, Rgb, Start};
 
 use crate::media::Undo;
@@ -28,6 +29,8 @@ pub struct Path {
     weight: f64,
     /// How much may still be left out of this pixel.
     left: f64,
+    /// What stood before the lights.
+    last: LastBlockers,
 }
 
 impl<'a, R: Real> Tracer<'a, R> {
@@ -55,7 +58,13 @@ impl<'a, R: Real> Tracer<'a, R> {
     }
 
     /// What a pixel sees: the mean of `samples` × `samples` rays across it.
-    pub fn pixel(&self, pixel: (u32, u32), samples: u32, path: &mut Path, witness: &mut impl Witness<R>) -> Rgb {
+    pub fn pixel(
+        &self,
+        pixel: (u32, u32),
+        samples: u32,
+        path: &mut Path,
+        witness: &mut impl Witness<R>,
+    ) -> Rgb {
         let mut sum = Rgb::BLACK;
         for (j, i) in (0..samples).flat_map(|j| (0..samples).map(move |i| (j, i))) {
             let across = |place: u32| R::round_from((f64::from(place) + 0.5) / f64::from(samples));
@@ -127,7 +136,7 @@ impl<'a, R: Real> Tracer<'a, R> {
             return ambient;
         };
         witness.landed(object, lambda, Some(&point));
-        let mut e = self.local(&point, witness);
+        let mut e = self.local(&point, path, witness);
         witness.local(e);
         if depth < self.scene.max_depth {
             let optics = self.scene.optics_of(object);
@@ -145,9 +154,9 @@ impl<'a, R: Real> Tracer<'a, R> {
 
     /// I_l: the local model of chapter 10.
     #[inline]
-    fn local<W: Witness<R>>(&self, point: &Point<R>, witness: &mut W) -> Rgb {
+    fn local<W: Witness<R>>(&self, point: &Point<R>, path: &mut Path, witness: &mut W) -> Rgb {
         let (mut shadow_rays, mut fates) = (0, Vec::new());
-        let e = self.lighting.local(point, witness, |light, fate| {
+        let e = self.lighting.local(point, &mut path.last, witness, |light, fate| {
             shadow_rays += u64::from(matches!(fate, Fate::Shadowed(_) | Fate::Seen(_)));
             if W::WANTS_LIGHTS {
                 fates.push((light, fate));
@@ -196,7 +205,10 @@ impl<'a, R: Real> Tracer<'a, R> {
     /// rayTrace(p̄, …, depth + 1), scaled by its coefficient; or nothing, where all that it could bring is within what may be
     /// left out.
     #[inline]
-    #[expect(clippy::too_many_arguments, reason = "what the page passes, and where to, why and to whom it is told")]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "what the page passes, and where to, why and to whom it is told"
+    )]
     fn branch<W: Witness<R>>(
         &self,
         point: &Point<R>,

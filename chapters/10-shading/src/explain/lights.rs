@@ -5,6 +5,7 @@ use math::{Real, Vector};
 use stage::{Section, Transcript, Value};
 
 use super::rgb;
+use crate::shadow::LastBlockers;
 use crate::{Fate, Lighting, Phong, Point, Rgb, phong};
 
 /// More lights than this are summed, but not explained one by one.
@@ -17,7 +18,8 @@ pub(super) fn explain<R: Real>(
     point: &Point<R>,
 ) -> Rgb {
     let mut fates = Vec::new();
-    let e = lighting.local(point, &mut Uncounted, |light, fate| fates.push((light, fate)));
+    let e = lighting
+        .local(point, &mut LastBlockers::default(), &mut Uncounted, |light, fate| fates.push((light, fate)));
     for (light, fate) in fates.iter().take(MOST) {
         one(transcript, lighting, point, *light, fate);
     }
