@@ -4,7 +4,7 @@
 //! the difference of two nearly equal numbers, of which a rounded surface point leaves the last sixteen
 //! digits. So it is summed from exact products with three times the digits.
 
-use math::two_part::{threefold_sum, two_product};
+use math::two_part::{threefold_sum, two_product, two_sum};
 use math::{Roots, TwoPart};
 
 use super::{Certainty, Chord};
@@ -12,6 +12,8 @@ use super::{Certainty, Chord};
 /// The error of C in L·L + r²: seventeen terms, so (34 · 2^−53)³, and as much again for the squares of
 /// what the rounding of L dropped.
 const C_ERROR: f64 = 1.0 / (1u128 << 126) as f64 / (1u64 << 16) as f64;
+/// The same with twice the digits: ten sums of numbers below 8u (L·L + r²), and the squares that are left out, 128u² of it.
+const C_TWOFOLD_ERROR: f64 = 1.0 / (1u128 << 98) as f64;
 /// What the inner root may be off by as a difference, of the outer root: 8u.
 const ROUGH: f64 = 4.0 * f64::EPSILON;
 /// What it may be of C: 2^−54, half a rounding.
@@ -49,9 +51,11 @@ pub(super) fn chord(
     if hit.t_close >= 0.0 && from >= 0.0 && is_before {
         return Some(Chord { roots: Some(Roots { near: difference, far: outer }), ..hit });
     }
-    let c = c(l, r_r);
     let l_l: f64 = l.iter().map(|part| part.hi * part.hi).sum();
-    if C_ERROR * (l_l + r_r.hi) > HARMLESS * c.abs() {
+    let scale = l_l + r_r.hi;
+    let twofold = c_twofold(l, r_r);
+    let c = if C_TWOFOLD_ERROR * scale <= HARMLESS * twofold.abs() { twofold } else { c(l, r_r) };
+    if C_ERROR * scale > HARMLESS * c.abs() {
         return None;
     }
     let inner = if 2.0 * difference.abs() >= outer.abs() { difference } else { c / (a * outer) };
@@ -60,6 +64,17 @@ pub(super) fn chord(
         false => Roots { near: inner, far: outer },
     };
     Some(Chord { c: Some(c), roots: Some(roots), ..hit })
+}
+
+/// C = L·L − r² with twice the digits, which is enough unless the origin is as near to the surface as rounding leaves it.
+fn c_twofold(l: [TwoPart; 3], r_r: TwoPart) -> f64 {
+    let [x, y, z] = l.map(|part| two_product(part.hi, part.hi));
+    let one = two_sum(x.hi, y.hi);
+    let two = two_sum(one.hi, z.hi);
+    let three = two_sum(two.hi, -r_r.hi);
+    let of_l: f64 = l.iter().map(|part| 2.0 * part.hi * part.lo).sum();
+    let lower = ((x.lo + y.lo) + (z.lo - r_r.lo)) + ((one.lo + two.lo) + three.lo);
+    three.hi + (lower + of_l)
 }
 
 /// C = L·L − r²: the squares of both parts of L and twice their product, as exact products.
