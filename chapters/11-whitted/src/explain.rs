@@ -181,3 +181,6 @@ fn bound<R: Real>(section: &mut Section, scene: &Scene<R>) {
         bound,
     );
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,10 +9,10 @@ use signature::Method;
 use signature::stage::fault;
 use stage::{Error, Transcript, Value};
 
-use crate::{Counts, Feature, Path, Requirements, Scene, Tracer, from_file, render};
+use crate::{Counts, Feature, Path, Requirements, Scene, Tracer, Witness, from_file, render};
 
 /// So many rounds, in turns; the median of them counts.
-const ROUNDS: usize = 7;
+const ROUNDS: usize = 5;
 /// For about so long each picture is traced.
 const ONE: Duration = Duration::from_millis(40);
 /// The picture has no more pixels than this.
@@ -33,7 +33,7 @@ pub(crate) fn cost<R: Real>(
     let scene_of = |size| from_file::scene::<R>(file, Some(size), depth).map_err(fault);
     let few = scene_of(smaller(size, A_FEW))?;
     let required = Requirements::of(&few, Parts::of(&few.lit.geometry).count());
-    let (seconds, _) = Variant { requirements: required, scene: few.clone() }.run(method)?;
+    let seconds = Variant { requirements: required, scene: few.clone() }.seconds(method)?;
     let pixels = f64::from(few.lit.geometry.size.0) * f64::from(few.lit.geometry.size.1);
     let scene = scene_of(smaller(size, MOST.min(pixels * ONE.as_secs_f64() / seconds.max(1e-9))))?;
 
@@ -43,17 +43,15 @@ pub(crate) fn cost<R: Real>(
     let all = std::iter::once(required).chain(each).chain([required.everything()]);
     let variants: Vec<Variant<R>> =
         all.map(|requirements| Variant::new(requirements, &scene, file)).collect();
+    let counted =
+        variants.iter().map(|variant| variant.counts(method)).collect::<Result<Vec<Counts>, Error>>()?;
     let mut rounds: Vec<Vec<f64>> = vec![Vec::new(); variants.len()];
-    let mut counted = vec![Counts::default(); variants.len()];
     for _ in 0..ROUNDS {
-        for (place, variant) in variants.iter().enumerate() {
-            let (seconds, counts) = variant.run(method)?;
-            rounds[place].push(seconds);
-            counted[place] = counts;
+        for (variant, times) in variants.iter().zip(&mut rounds) {
+            times.push(variant.seconds(method)?);
         }
     }
-    let medians: Vec<f64> = rounds.into_iter().map(median).collect();
-    say(transcript, &more, &medians, &counted, scene.lit.geometry.size);
+    say(transcript, &more, &rounds, &counted, scene.lit.geometry.size);
     Ok(())
 }
 
@@ -61,7 +59,7 @@ pub(crate) fn cost<R: Real>(
 fn say(
     transcript: &mut Transcript,
     more: &[Feature],
-    medians: &[f64],
+    rounds: &[Vec<f64>],
     counted: &[Counts],
     (width, height): (u32, u32),
 ) {
@@ -69,13 +67,14 @@ fn say(
     let features = more.iter().map(|feature| format!("and {}", feature.name()));
     let names =
         std::iter::once("what is required".to_string()).chain(features).chain(["everything".to_string()]);
-    let row = |((name, seconds), counts): ((String, &f64), &Counts)| {
-        let ns = seconds * 1e9 / rays;
-        let times = seconds / medians[0];
-        let rounded = |x: f64, to: f64| Value::number((x * to).round() / to);
-        vec![Value::text(name), rounded(ns, 10.0), rounded(times, 100.0), Value::number(counts.rays() as f64)]
+    let rounded = |x: f64, to: f64| Value::number((x * to).round() / to);
+    let row = |((name, times), counts): ((String, &Vec<f64>), &Counts)| {
+        let ns = median(times.clone()) * 1e9 / rays;
+        // whatever else the machine does in a round hurts both
+        let ratio = median(times.iter().zip(&rounds[0]).map(|(time, required)| time / required).collect());
+        vec![Value::text(name), rounded(ns, 10.0), rounded(ratio, 100.0), Value::number(counts.rays() as f64)]
     };
-    let rows = names.zip(medians).zip(counted).map(row).collect();
+    let rows = names.zip(rounds).zip(counted).map(row).collect();
     let section = transcript.section("What it would cost to model more", "--explain");
     section.table(&["modeled", "ns/ray", "times", "rays"], rows);
     section.remark(format!(
@@ -99,25 +98,31 @@ impl<R: Real> Variant<R> {
         Variant { requirements, scene }
     }
 
-    /// Traces the picture: the seconds that took, and what it counted.
-    fn run(&self, method: Method) -> Result<(f64, Counts), Error> {
+    /// The seconds that the picture takes.
+    fn seconds(&self, method: Method) -> Result<f64, Error> {
+        self.traced(method, &mut Uncounted)
+    }
+
+    /// What the picture counts.
+    fn counts(&self, method: Method) -> Result<Counts, Error> {
+        let mut counts = Counts::default();
+        self.traced(method, &mut counts)?;
+        Ok(counts)
+    }
+
+    /// Traces the picture on one thread, for somebody to watch: the seconds that takes.
+    fn traced(&self, method: Method, witness: &mut (impl Witness<R> + Send)) -> Result<f64, Error> {
         let geometry = &self.scene.lit.geometry;
         let bounded = Bounded::by(method, geometry, self.requirements.bounds());
         let tracer = Tracer::new(&self.scene, &bounded, &self.requirements, None);
         let (width, height) = geometry.size;
-        let pixels = || (0..height).flat_map(|row| (0..width).map(move |col| (col, row)));
         render::with_stack(render::stack(&tracer), || {
             let mut path = Path::default();
             let start = Instant::now();
-            for pixel in pixels() {
-                black_box(tracer.pixel(pixel, 1, &mut path, &mut Uncounted));
+            for pixel in (0..height).flat_map(|row| (0..width).map(move |col| (col, row))) {
+                black_box(tracer.pixel(pixel, 1, &mut path, witness));
             }
-            let seconds = start.elapsed().as_secs_f64();
-            let mut counts = Counts::default();
-            for pixel in pixels() {
-                tracer.pixel(pixel, 1, &mut path, &mut counts);
-            }
-            (seconds, counts)
+            start.elapsed().as_secs_f64()
         })
     }
 }
@@ -125,7 +130,8 @@ impl<R: Real> Variant<R> {
 /// A picture of the same shape with about so many pixels, and never more than before.
 fn smaller((width, height): (u32, u32), pixels: f64) -> (u32, u32) {
     let scale = (pixels / (f64::from(width) * f64::from(height))).sqrt().min(1.0);
-    let scaled = |side: u32| ((f64::from(side) * scale) as u32).max(1);
+    // of a picture that is one row the row is shorter
+    let scaled = |side: u32| ((f64::from(side) * scale).min(pixels) as u32).max(1);
     // the grid `edges` needs two of each
     (scaled(width).max(2.min(width)), scaled(height).max(2.min(height)))
 }
@@ -134,4 +140,24 @@ fn smaller((width, height): (u32, u32), pixels: f64) -> (u32, u32) {
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smaller_picture_has_the_same_shape() {
+        // √(400 / 307200) = 0.0361: 23 by 17
+        assert_eq!(smaller((640, 480), 400.0), (23, 17));
+        assert_eq!(smaller((16, 12), 400.0), (16, 12), "never larger");
+        assert_eq!(smaller((1 << 28, 1), 400.0), (400, 1));
+        assert_eq!(smaller((640, 480), 0.0), (2, 2), "two of each, where there are two");
+    }
+
+    #[test]
+    fn half_of_the_times_are_shorter() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(Vec::new()), 0.0);
+    }
 }
