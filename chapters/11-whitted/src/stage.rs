@@ -102,3 +102,6 @@ pub fn read(path: Option<&Path>) -> Result<scene_file::Scene, Error> {
         None => SCENES[0].file(),
     }
 }
+
+#[cfg(test)]
+mod tests;
