@@ -58,8 +58,7 @@ impl Chapter for Whitted {
         let file = read(ask.scene.as_deref())?;
         let size = ask.size_or(file.camera.size.value)?;
         let own = ask.scene.is_none();
-        let worked = if own && size == SIZE { WORKED } else { (size.0 / 2, size.1 / 2) };
-        let pixel = ask.pixel.unwrap_or(worked);
+        let pixel = ask.pixel.unwrap_or_else(|| worked(own, size));
 
         let scene = from_file::scene::<R>(&file, Some(size), ask.depth).map_err(fault)?;
         let requirements = Requirements::of(&scene, Parts::of(&scene.lit.geometry).count());
@@ -90,6 +89,16 @@ impl Chapter for Whitted {
 
     fn trade(&self, _: &TradeAsk) -> Result<Traded, Error> {
         Err(Error::Failed("whitted is not measured yet".to_string()))
+    }
+}
+
+/// The pixel that is explained when none is asked for: of the chapter's own scene the worked one, or where that is in a
+/// picture of another size; else the middle.
+fn worked(own: bool, size: (u32, u32)) -> (u32, u32) {
+    let scaled = |at: u32, of: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(of)) as u32;
+    match own {
+        true => (scaled(WORKED.0, SIZE.0, size.0), scaled(WORKED.1, SIZE.1, size.1)),
+        false => (size.0 / 2, size.1 / 2),
     }
 }
 

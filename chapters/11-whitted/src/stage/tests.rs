@@ -80,6 +80,17 @@ fn the_pixel_of_the_transcript_is_the_picture_s() {
     }
 }
 
+#[test]
+fn the_worked_pixel_is_within_the_picture() {
+    assert_eq!(worked(true, SIZE), WORKED);
+    // by hand: 470/960 and 230/720 of it
+    assert_eq!(worked(true, (96, 72)), (47, 23));
+    assert_eq!(
+        (worked(true, (1, 1)), worked(false, (1, 1)), worked(false, (640, 480))),
+        ((0, 0), (0, 0), (320, 240))
+    );
+}
+
 /// A stage that is left to choose says what it found, and computes in it.
 #[test]
 fn the_precision_is_chosen_and_said() {
