@@ -5,7 +5,7 @@
 //! sees another object. What no sampled pixel sees is not known; a thousand pixels without a difference say that fewer than
 //! three in a thousand have one, at 95 %.
 
-use bounds::{Bounded, Parts, Tally};
+use bounds::{Parts, Tally};
 use lab::Draw;
 use math::Real;
 use shading::Rgb;
@@ -82,7 +82,7 @@ struct Seen {
 fn seen<R: Real>(file: &scene_file::Scene, ask: &Ask, size: (u32, u32)) -> Result<Vec<Seen>, Error> {
     let scene = from_file::scene::<R>(file, Some(size), ask.depth).map_err(fault)?;
     let requirements = Requirements::of(&scene, Parts::of(&scene.lit.geometry).count());
-    let bounded = Bounded::by(Method::ALL[ask.method], &scene.lit.geometry, requirements.bounds());
+    let bounded = requirements.bounded(Method::ALL[ask.method], &scene.lit.geometry);
     let tolerance = ask.tolerance.map(|e| Tolerance::new(&scene, e));
     let tracer = Tracer::new(&scene, &bounded, &requirements, tolerance);
     let pixels = sample(size);

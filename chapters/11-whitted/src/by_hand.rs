@@ -4,7 +4,7 @@ mod lights;
 mod media;
 mod mirrors;
 
-use bounds::{Bounded, Parts};
+use bounds::Parts;
 use math::Real;
 use signature::Method;
 
@@ -21,7 +21,7 @@ fn trees<R: Real>(eye: [f64; 3], forward: [f64; 3], text: &str) -> Vec<Tree<R>> 
     let mut trees = Vec::new();
     for method in Method::ALL {
         for requirements in [required, required.everything()] {
-            let bounded = Bounded::by(method, &scene.lit.geometry, requirements.bounds());
+            let bounded = requirements.bounded(method, &scene.lit.geometry);
             let tracer = Tracer::new(&scene, &bounded, &requirements, None);
             trees.push(render::tree(&tracer, (0, 0), 1).unwrap());
         }

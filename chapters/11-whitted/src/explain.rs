@@ -109,11 +109,14 @@ impl<R: Real> Asked<'_, R> {
             (_, silent) if silent == self.objects().len() => {
                 "no material answers a light: r_d + r_s = 0".to_string()
             }
-            (1, 0) => "1 light, and every material answers it".to_string(),
+            (1, 0) => "there is a light, and every material answers it".to_string(),
             (lights, 0) => format!("{lights} lights, and every material answers them"),
-            (lights, silent) => format!(
-                "{lights} lights; {silent} objects answer none, r_d + r_s = 0: none is asked for there"
-            ),
+            (lights, silent) => {
+                let all = self.objects().len();
+                format!(
+                    "{lights} lights; none is asked for where r_d + r_s = 0, on {silent} of {all} objects"
+                )
+            }
         }
     }
 

@@ -35,6 +35,7 @@ pub mod requirements;
 pub mod scene;
 #[cfg(feature = "stage")]
 pub mod scenes;
+#[cfg(feature = "stage")]
 mod show;
 #[cfg(feature = "stage")]
 pub mod stage;

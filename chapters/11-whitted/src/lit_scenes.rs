@@ -1,6 +1,6 @@
 //! Scenes for tests: the chapter's own ones, and those of chapter 08 with lights and with materials that mirror and let through.
 
-use bounds::{Bounded, Parts};
+use bounds::Parts;
 use math::Real;
 use scene_file::{At, Light, Scene as File};
 use signature::Method;
@@ -71,7 +71,7 @@ pub(crate) fn picture<R: Real>(
     if required.idle_textures {
         from_file::idle_textures(&mut scene, file);
     }
-    let bounded = Bounded::by(method, &scene.lit.geometry, required.bounds());
+    let bounded = required.bounded(method, &scene.lit.geometry);
     let tolerance = tolerance.map(|e| Tolerance::new(&scene, e));
     let tracer = Tracer::new(&scene, &bounded, &required, tolerance);
     render(&tracer, size, 1, Some(2), None).unwrap()

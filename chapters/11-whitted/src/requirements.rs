@@ -4,8 +4,9 @@
 //! shadows that change nothing, builds a tree for three spheres, carries every ray through a matrix that does nothing. So what
 //! a scene requires is found out once, and the rest is not done. The radiance of every pixel is the same to the last bit.
 
+use bounds::Bounded;
 use math::Real;
-use signature::Shape;
+use signature::{Method, Shape};
 
 use crate::Scene;
 
@@ -27,9 +28,15 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// All that can be asked for: not [`Feature::IdleTransforms`], as the bounds carry no object yet.
-    pub const ALL: [Feature; 5] =
-        [Feature::IdleShadows, Feature::IdleTests, Feature::Media, Feature::IdleTextures, Feature::Tree];
+    /// All of them.
+    pub const ALL: [Feature; 6] = [
+        Feature::IdleShadows,
+        Feature::IdleTests,
+        Feature::Media,
+        Feature::IdleTextures,
+        Feature::IdleTransforms,
+        Feature::Tree,
+    ];
 
     /// What it is, in a few words.
     pub fn name(self) -> &'static str {
@@ -118,6 +125,12 @@ impl Requirements {
     /// All that can be modeled.
     pub fn everything(self) -> Requirements {
         Feature::ALL.into_iter().fold(self, Requirements::and)
+    }
+
+    /// The geometry of a scene, to be searched by the formulas of `method`.
+    pub fn bounded<'a, R: Real>(&self, method: Method, geometry: &'a signature::Scene<R>) -> Bounded<'a, R> {
+        let bounded = Bounded::by(method, geometry, self.bounds());
+        if self.idle_transforms { bounded.carrying() } else { bounded }
     }
 
     /// The structure for rays.

@@ -2,15 +2,16 @@
 
 use std::path::Path;
 
-use bounds::{Bounded, Parts};
+use bounds::Parts;
 use math::Real;
 use signature::Method;
 use signature::stage::fault;
 use stage::{About, Ask, Chapter, Error, Flag, Precision, Shown, TradeAsk, Traded, Transcript};
 
+use crate::measure::measure;
 use crate::scenes::SCENES;
 use crate::show::{self, Shot};
-use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, picture, render};
+use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, picture, render, report};
 
 /// The stage `whitted`.
 pub struct Whitted;
@@ -44,7 +45,9 @@ impl Chapter for Whitted {
             inputs: &[],
             words: &[],
             results: &[],
-            trade: "Time against error.",
+            trade: "Time against error over precision, formulas, depth, tolerance and samples, in the chapter's scenes (the \
+                    regimes): the root mean square and the largest difference, in linear radiance, to a picture with many \
+                    samples at the scene's full depth. Draws the best that a time can buy (trade.svg).",
             regimes: SCENES.iter().map(|scene| (scene.name, scene.what)).collect(),
         }
     }
@@ -62,7 +65,7 @@ impl Chapter for Whitted {
 
         let scene = from_file::scene::<R>(&file, Some(size), ask.depth).map_err(fault)?;
         let requirements = Requirements::of(&scene, Parts::of(&scene.lit.geometry).count());
-        let bounded = Bounded::by(method, &scene.lit.geometry, requirements.bounds());
+        let bounded = requirements.bounded(method, &scene.lit.geometry);
         let tolerance = ask.tolerance.map(|e| Tolerance::new(&scene, e));
         let tracer = Tracer::new(&scene, &bounded, &requirements, tolerance);
         let samples = ask.samples.unwrap_or(1);
@@ -87,8 +90,8 @@ impl Chapter for Whitted {
         Ok(Shown { transcript, picture, ids: None })
     }
 
-    fn trade(&self, _: &TradeAsk) -> Result<Traded, Error> {
-        Err(Error::Failed("whitted is not measured yet".to_string()))
+    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
+        Ok(report::traded(&measure(ask)?, ask))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use bounds::{Bounded, Parts, Uncounted};
+use bounds::{Parts, Uncounted};
 use math::Real;
 use signature::Method;
 use signature::stage::fault;
@@ -113,7 +113,7 @@ impl<R: Real> Variant<R> {
     /// Traces the picture on one thread, for somebody to watch: the seconds that takes.
     fn traced(&self, method: Method, witness: &mut (impl Witness<R> + Send)) -> Result<f64, Error> {
         let geometry = &self.scene.lit.geometry;
-        let bounded = Bounded::by(method, geometry, self.requirements.bounds());
+        let bounded = self.requirements.bounded(method, geometry);
         let tracer = Tracer::new(&self.scene, &bounded, &self.requirements, None);
         let (width, height) = geometry.size;
         render::with_stack(render::stack(&tracer), || {
