@@ -11,7 +11,15 @@ mod plot;
 pub fn traded(measured: &[Measured], ask: &TradeAsk) -> Traded {
     let svg = lab::plot::lines_svg(&plot::of(measured));
     let drawings = vec![Drawing { ending: "trade.svg", sheet: Sheet::Svg(svg) }];
-    let records = measured.iter().flat_map(|it| it.entries.iter().map(|entry| record(it, entry, ask.seed)));
+    // what the others are compared with is measured in any case, and a record only where it was asked for
+    let is_asked_for = |entry: &&Entry| {
+        let Setting { method, precision, .. } = entry.setting;
+        ask.method.is_none_or(|place| signature::Method::ALL[place] == method)
+            && ask.precision.is_none_or(|asked| asked == precision)
+    };
+    let records = measured.iter().flat_map(|it| {
+        it.entries.iter().filter(is_asked_for).map(|entry| record(it, entry, ask.seed))
+    });
     Traded { text: text(measured, ask.seed), records: records.collect(), drawings }
 }
 
@@ -20,12 +28,11 @@ fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
     let Entry { setting, seconds, counts, off, alone, on_front } = entry;
     let Setting { method, precision, depth, tolerance, samples } = setting;
     let pixels = f64::from(measured.size.0) * f64::from(measured.size.1);
-    let rays = counts.rays() as f64 * pixels / measured.pixels.max(1) as f64;
     vec![
         ("method", Field::Text(method.name().to_string())),
         ("precision", Field::Text(precision.name().to_string())),
         ("regime", Field::Text(measured.name.clone())),
-        ("ns_per_ray", Field::Number(1e9 * seconds / rays)),
+        ("ns_per_ray", Field::Nothing),
         ("cases", Field::Count(measured.pixels as u64)),
         ("wrong_decisions", Field::Nothing),
         ("t_ulp_median", Field::Nothing),
@@ -35,7 +42,7 @@ fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
         ("depth", Field::Count(u64::from(*depth))),
         ("tolerance", tolerance.map_or(Field::Nothing, Field::Number)),
         ("samples", Field::Count(u64::from(*samples))),
-        ("seconds", Field::Number(*seconds)),
+        ("ns_per_pixel", Field::Number(1e9 * seconds / pixels)),
         ("rmse", Field::Number(off.rmse)),
         ("largest", Field::Number(off.largest)),
         ("rmse_same_samples", Field::Number(alone.rmse)),

@@ -56,7 +56,10 @@ fn flags_of_trade_stand_before_or_after_the_verb_too() {
             assert_eq!((run.status, run.errors.as_str()), (0, ""), "{args:?}");
             let lines: Vec<&str> = run.output.lines().collect();
             let record = format!("{},f64,{},", about.methods[1], about.regimes[0].0);
-            assert!(lines.len() == 2 && lines[1].starts_with(&record), "{args:?}: {}", run.output);
+            // whole pictures are measured in many settings
+            let is_one = lines.len() == 2 || (lines.len() > 2 && about.name == "whitted");
+            assert!(is_one, "{args:?}: {}", run.output);
+            assert!(lines[1..].iter().all(|line| line.starts_with(&record)), "{args:?}: {}", run.output);
         }
     }
 }
