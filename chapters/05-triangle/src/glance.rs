@@ -48,6 +48,29 @@ pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     Glance::Once(Around { t: lambda, off: 16.0 * UNIT * h * one_over.abs() })
 }
 
+/// α and β of the point where the line of the ray passes the plane of the triangle, each off by less than 2⁻³⁰, which is enough
+/// for a color or a normal there; `None` where plain `f64` is not good enough for that.
+///
+/// They are v / d · n and w / d · n. The volumes and d · n are off by the error above, and neither is larger than d · n where the
+/// line passes through: the quotient is then off by twice that error over d · n.
+#[inline(always)]
+pub fn alpha_beta<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<(R, R)> {
+    const ENOUGH: f64 = 1.0 / (1u64 << 31) as f64;
+    let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
+    let [p1, p2, p3] = triangle.corners().map(Vector::in_f64::<3>);
+    let (e1, e2, to_p1) = (difference(p2, p1), difference(p3, p1), difference(p1, o));
+    let q = cross(d, to_p1);
+    let (d_dot_n, v, w) = (dot(d, cross(e1, e2)), -dot(e2, q), dot(e1, q));
+    let [d_size, e1_size, e2_size, to_p1_size] = [d, e1, e2, to_p1].map(size);
+    let error = ERROR * d_size * (e1_size * e2_size + to_p1_size * (e1_size + e2_size));
+    let in_range = SAFE.contains(&d_size) && SAFE.contains(&(e1_size + e2_size)) && to_p1_size <= *SAFE.end();
+    // NaN fails the test
+    if !(in_range && error <= ENOUGH * d_dot_n.abs()) {
+        return None;
+    }
+    Some((R::round_from(v / d_dot_n), R::round_from(w / d_dot_n)))
+}
+
 /// a − b
 #[inline(always)]
 fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -173,6 +173,12 @@ impl<R: Real> Mesh<R> {
         Ok(nearest.map(|(face, hit)| self.hit_on(method, ray, face, hit)))
     }
 
+    /// The normal to shade with at (α, β) of a face: the interpolated one; `None` for a mesh that is shaded flat, and where the
+    /// corners' normals cancel.
+    pub fn normal_at(&self, face: usize, alpha_beta: (R, R)) -> Option<R::Vec3> {
+        normals::interpolated::<R>(self.normals.as_ref()?[face], alpha_beta)
+    }
+
     /// What there is to say of a hit on a face: where in the face it is, and the normal to shade with.
     pub fn hit_on(&self, method: Method, ray: &Ray3<R>, face: usize, hit: Hit3<R>) -> MeshHit<R> {
         let alpha_beta = method.work(ray, &self.triangle(face)).alpha_beta();

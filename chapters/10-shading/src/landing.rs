@@ -3,6 +3,7 @@
 use bounds::{Bounded, Query, Tally};
 use math::{Real, Vector};
 use signature::{Method, Shape};
+use triangle::Triangle;
 
 /// What findFirstHit of the page gives: the object, λ, p̄ and n⃗.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,17 +45,21 @@ impl<R: Real> Landing<R> {
             normal: hit.normal,
             alpha_beta: None,
         };
-        let by = match bounded.formulas() {
-            Method::Robust => triangle::Method::Robust,
-            Method::Notes => triangle::Method::Matrix,
+        let alpha_beta = |triangle: &Triangle<R>| match bounded.formulas() {
+            // a color and a normal need no last digit
+            Method::Robust => triangle::glance::alpha_beta(ray, triangle)
+                .or_else(|| triangle::robust(ray, triangle).alpha_beta()),
+            Method::Notes => triangle::matrix(ray, triangle).alpha_beta(),
         };
         match parts.shape(part) {
             Shape::Mesh(mesh) if mesh.normals().is_some() => {
-                let on_face = mesh.hit_on(by, ray, parts.face(part)?, hit);
-                Some(Landing { normal: on_face.shading_normal, alpha_beta: on_face.alpha_beta, ..flat })
+                let face = parts.face(part)?;
+                let alpha_beta = alpha_beta(&mesh.triangle(face));
+                let normal = alpha_beta.and_then(|place| mesh.normal_at(face, place)).unwrap_or(hit.normal);
+                Some(Landing { normal, alpha_beta, ..flat })
             }
             Shape::Triangle(triangle) if with_place(object) => {
-                Some(Landing { alpha_beta: by.work(ray, triangle).alpha_beta(), ..flat })
+                Some(Landing { alpha_beta: alpha_beta(triangle), ..flat })
             }
             _ => Some(flat),
         }
