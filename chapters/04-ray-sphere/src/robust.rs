@@ -165,7 +165,9 @@ fn robust_from<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, from: f64) -> Robust<
 fn certain<R: Real>(l: [TwoPart; 3], d: [f64; 3], r: f64) -> Option<Chord> {
     match at_once::chord::<R>(l, d, r) {
         at_once::Found::Certain(chord) => Some(chord),
-        at_once::Found::Doubtful { a, b, t_close } => corrected::chord(l, d, r, [a, b, t_close], f64::NEG_INFINITY),
+        at_once::Found::Doubtful { a, b, t_close } => {
+            corrected::chord(l, d, r, [a, b, t_close], f64::NEG_INFINITY)
+        }
         at_once::Found::OutOfRange => None,
     }
 }

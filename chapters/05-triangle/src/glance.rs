@@ -30,8 +30,7 @@ pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     let (area, edges) = (e1_size * e2_size, e1_size + e2_size);
     let error = ERROR * d_size * (area + to_p1_size * edges);
     // NaN fails the test
-    let in_range =
-        SAFE.contains(&d_size) && edges >= *SAFE.start() && to_p1_size + edges <= *SAFE.end();
+    let in_range = SAFE.contains(&d_size) && edges >= *SAFE.start() && to_p1_size + edges <= *SAFE.end();
     if !in_range {
         return Glance::Unsure;
     }

@@ -5,10 +5,11 @@ use math::{Ray3, Real, Span};
 use ray_sphere::{Sphere, robust};
 use signature::{First, Hit3, Method as Formulas, Scene, Shape};
 
+use crate::all::{All, try_all};
 use crate::projected::{Extents, rectangle};
 use crate::trial::{Trial, Tried};
-use crate::wide::{Instructions, Spheres, Version, Work};
-use crate::{Box3, Method, Nearest, Parts, Reach, Slabs, Tally, Tree, Wide, sphere_around};
+use crate::wide::{Instructions, Spheres, Version};
+use crate::{Box3, FirstPart, Method, Nearest, Parts, Query, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
 #[derive(Debug)]
@@ -22,35 +23,6 @@ pub struct Bounded<'a, R: Real> {
     trial: Trial,
     /// A⁻¹ and t, through which each ray is carried before each test; `None` where that is not asked for.
     carried: Option<Affine<R>>,
-}
-
-/// What a ray hits first, part by part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FirstPart<R> {
-    /// Which of the [`Parts`].
-    pub part: usize,
-    /// λ, in lengths of the ray's direction.
-    pub lambda: R,
-}
-
-/// What is asked of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Query<R: Real> {
-    /// The ray. It must be a ray: [`Ray3::check`].
-    pub ray: Ray3<R>,
-    /// Where a hit counts; it must not begin below 0.
-    pub span: Span<R>,
-    /// A part that the ray passes as if it were not there.
-    pub without: Option<usize>,
-    /// A solid part in which the ray starts, just below its surface: where its line enters that part is behind it.
-    pub within: Option<usize>,
-}
-
-impl<R: Real> Query<R> {
-    /// A ray that is tried on everything.
-    pub fn new(ray: Ray3<R>, span: Span<R>) -> Query<R> {
-        Query { ray, span, without: None, within: None }
-    }
 }
 
 /// What is around the objects.
@@ -309,67 +281,6 @@ impl<'a, R: Real> Bounded<'a, R> {
                     };
                 }
             }
-        }
-    }
-}
-
-/// The loop of the scene signature, over all parts; `ANY`: until something is hit.
-struct All<'a, 'q, R: Real, C, const ANY: bool> {
-    spheres: &'a [Spheres],
-    rest: &'a [usize],
-    tried: &'a mut Tried<'q, R>,
-    counts: &'a mut C,
-}
-
-impl<R: Real, C: Tally, const ANY: bool> Work for All<'_, '_, R, C, ANY> {
-    type Answer = ();
-
-    #[inline(always)]
-    fn run(self) {
-        let line = self.tried.line();
-        for block in self.spheres {
-            self.counts.tests(block.count());
-            let past = block.past(&line);
-            let mut candidates = if self.tried.is_tried_on_all() { block.all() } else { past.candidates };
-            while candidates != 0 {
-                let lane = candidates.trailing_zeros();
-                candidates &= candidates - 1;
-                if self.tried.on_sphere(block, &past, lane as usize).is_some() {
-                    self.counts.hit();
-                    if ANY {
-                        return;
-                    }
-                }
-            }
-        }
-        for &part in self.rest {
-            self.counts.tests(1);
-            if self.tried.on(part).is_some() {
-                self.counts.hit();
-                if ANY {
-                    return;
-                }
-            }
-        }
-    }
-}
-
-/// The loop of the scene signature, over some parts; `ANY`: until something is hit.
-#[inline(always)]
-fn try_all<R: Real, const ANY: bool>(
-    parts: impl IntoIterator<Item = usize>,
-    tried: &mut Tried<'_, R>,
-    nearest: &mut Nearest<R>,
-    counts: &mut impl Tally,
-) {
-    for part in parts {
-        if ANY && nearest.index.is_some() {
-            return;
-        }
-        counts.tests(1);
-        if let Some(t) = tried.on(part) {
-            counts.hit();
-            nearest.put(part, t);
         }
     }
 }

@@ -14,6 +14,7 @@
 //! [`mod@tree`] is the tree that one writes down, [`mod@wide`] the fast one, which nobody needs to understand who
 //! only wants to know what it answers.
 
+mod all;
 pub mod around;
 pub mod bounded;
 pub mod box3;
@@ -29,6 +30,7 @@ pub mod parts;
 #[cfg(feature = "stage")]
 mod picture;
 pub mod projected;
+pub mod query;
 #[cfg(feature = "stage")]
 mod report;
 pub mod slab;
@@ -39,12 +41,13 @@ pub mod trial;
 pub mod wide;
 
 pub use around::sphere_around;
-pub use bounded::{Bounded, FirstPart, Query};
+pub use bounded::Bounded;
 pub use box3::Box3;
 pub use counts::{Counts, Tally, Uncounted};
 pub use method::Method;
 pub use nearest::Nearest;
 pub use parts::Parts;
+pub use query::{FirstPart, Query};
 pub use slab::{Reach, Slabs};
 pub use tree::Tree;
 pub use wide::{Wide, WideMesh};

@@ -14,9 +14,8 @@ use math::{Glance, Ray3, Real, Span};
 use ray_sphere::Line;
 use signature::Method;
 
-use crate::bounded::Query;
 use crate::wide::{Passages, Spheres};
-use crate::{Box3, Parts, Reach, Slabs};
+use crate::{Box3, Parts, Query, Reach, Slabs};
 
 /// By which formulas.
 #[derive(Clone, Debug)]

@@ -17,9 +17,9 @@ pub fn traded(measured: &[Measured], ask: &TradeAsk) -> Traded {
         ask.method.is_none_or(|place| signature::Method::ALL[place] == method)
             && ask.precision.is_none_or(|asked| asked == precision)
     };
-    let records = measured.iter().flat_map(|it| {
-        it.entries.iter().filter(is_asked_for).map(|entry| record(it, entry, ask.seed))
-    });
+    let records = measured
+        .iter()
+        .flat_map(|it| it.entries.iter().filter(is_asked_for).map(|entry| record(it, entry, ask.seed)));
     Traded { text: text(measured, ask.seed), records: records.collect(), drawings }
 }
 

@@ -102,8 +102,12 @@ mod tests {
     fn a_span_takes_the_near_one_the_far_one_or_neither() {
         let around = |t| Around { t, off: 0.25 };
         let first = |min, max| Glance::Twice(around(1.0), around(3.0)).first_within(Span::new(min, max));
-        let between = |t: f64| move |it: First| matches!(it, First::Between(low, high) if (low - (t - 0.25)).abs() < 1e-12
-            && (high - (t + 0.25)).abs() < 1e-12);
+        let between = |t: f64| {
+            move |it: First| {
+                matches!(it, First::Between(low, high) if (low - (t - 0.25)).abs() < 1e-12
+            && (high - (t + 0.25)).abs() < 1e-12)
+            }
+        };
         assert!(between(1.0)(first(0.0, 9.0)));
         assert!(between(3.0)(first(2.0, 9.0)));
         assert_eq!(first(4.0, 9.0), First::None);

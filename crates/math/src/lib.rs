@@ -14,8 +14,8 @@
 mod bounded;
 mod camera;
 pub mod exact;
-pub mod grid;
 pub mod glance;
+pub mod grid;
 mod hit;
 pub mod portable;
 mod ray;

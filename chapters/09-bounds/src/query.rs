@@ -1,0 +1,32 @@
+//! What is asked of a scene, and what it answers.
+
+use math::{Ray3, Real, Span};
+
+/// What a ray hits first, part by part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstPart<R> {
+    /// Which of the [`Parts`].
+    pub part: usize,
+    /// λ, in lengths of the ray's direction.
+    pub lambda: R,
+}
+
+/// What is asked of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Query<R: Real> {
+    /// The ray. It must be a ray: [`Ray3::check`].
+    pub ray: Ray3<R>,
+    /// Where a hit counts; it must not begin below 0.
+    pub span: Span<R>,
+    /// A part that the ray passes as if it were not there.
+    pub without: Option<usize>,
+    /// A solid part in which the ray starts, just below its surface: where its line enters that part is behind it.
+    pub within: Option<usize>,
+}
+
+impl<R: Real> Query<R> {
+    /// A ray that is tried on everything.
+    pub fn new(ray: Ray3<R>, span: Span<R>) -> Query<R> {
+        Query { ray, span, without: None, within: None }
+    }
+}
