@@ -73,7 +73,10 @@ impl Glance {
             let (low, high) = crossing.range::<R>();
             match () {
                 _ if low > max || high < min => First::None,
-                _ if low >= min && high <= max => First::Between(low, high),
+                // beyond the largest number every λ is infinite, and none is nearer than another
+                _ if low >= min && high <= max && R::round_from(high).is_finite() => {
+                    First::Between(low, high)
+                }
                 _ => First::Unsure,
             }
         };
@@ -120,5 +123,14 @@ mod tests {
         assert_eq!(Glance::Perhaps(around(1.0)).first_within(Span::new(0.0, 9.0)), First::Unsure);
         assert_eq!(Glance::Perhaps(around(1.0)).first_within(Span::new(2.0, 9.0)), First::None);
         assert_eq!(Glance::Once(around(0.1)).first_within(Span::<f64>::ahead()), First::Unsure);
+    }
+
+    /// 1e39 is a number in f64, and in f32 infinite, as 2e39 is: which of the two is nearer it does not tell.
+    #[test]
+    fn what_is_infinite_is_not_compared() {
+        let far = Glance::Once(Around { t: 1e39, off: 0.0 });
+        assert!(matches!(far.first_within(Span::<f64>::ahead()), First::Between(..)));
+        assert_eq!(far.first_within(Span::<f32>::ahead()), First::Unsure);
+        assert_eq!(far.first_within(Span::<f32>::new(0.0, 1e38)), First::None);
     }
 }
