@@ -13,7 +13,7 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 /// Between these, neither the products nor their errors overflow or vanish.
 const SAFE: std::ops::RangeInclusive<f64> = 1e-140..=1e140;
 
-/// Whether the line of the ray meets the plane, and roughly where.
+/// Whether the line of the ray meets the plane, and roughly where. Of a ray or a plane that is none: [`Glance::Unsure`].
 #[inline(always)]
 pub fn glance<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Glance {
     let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
@@ -37,3 +37,6 @@ fn dot_and_size(a: [f64; 3], b: [f64; 3]) -> (f64, f64) {
     let [x, y, z] = [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
     (x + y + z, x.abs() + y.abs() + z.abs())
 }
+
+#[cfg(all(test, feature = "stage"))]
+mod tests;

@@ -102,20 +102,21 @@ impl Line {
     }
 }
 
-/// Whether the ray meets the sphere ahead, and roughly where its line crosses it.
+/// Whether the ray meets the sphere ahead, and roughly where its line crosses it. Of a ray or a sphere that is none:
+/// [`Glance::Unsure`].
 #[inline(always)]
 pub fn glance<R: Real>(line: &Line, sphere: &Sphere<R>) -> Glance {
     let (c, r): ([f64; 3], f64) = (sphere.center.in_f64(), sphere.radius.into());
-    let r_r = r * r;
-    match SAFE_SQUARE.contains(&r_r) {
-        true => line.glance(&line.past(c, r_r), r),
+    match is_safe(r) {
+        true => line.glance(&line.past(c, r * r), r),
         false => Glance::Unsure,
     }
 }
 
-/// Whether a sphere's radius may be squared, see [`Line::past`].
+/// Whether a number is a radius that may be squared, see [`Line::past`].
+#[inline(always)]
 pub fn is_safe(r: f64) -> bool {
-    SAFE_SQUARE.contains(&(r * r))
+    r > 0.0 && SAFE_SQUARE.contains(&(r * r))
 }
 
 /// a · b
@@ -123,3 +124,6 @@ pub fn is_safe(r: f64) -> bool {
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
+
+#[cfg(all(test, feature = "stage"))]
+mod tests;
