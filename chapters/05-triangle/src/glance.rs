@@ -1,8 +1,9 @@
 //! At a glance: the first way of [`mod@robust`](mod@crate::robust), for who does not need the last digits of λ.
 //!
 //! The verdict is the same, by the same bound: the three volumes and d · n are off by at most
-//! 16u |d| (|e1| |e2| + |A| (|e1| + |e2|)). Where the line passes through the triangle, N = A · n is off by 7u H with
-//! H = |e1| |e2| (|λ| |d| + |e1| + |e2|), and so is d · n times |λ|: λ = N / d · n is off by less than 16u H / |d · n|.
+//! 16u |d| (|e1| |e2| + |A| (|e1| + |e2|)). Where the line passes through the triangle, |A| is at most |λ| |d| + |e1| + |e2|,
+//! so that with H = |e1| |e2| times that N = A · n is off by 8u H, and d · n times |λ| by 7u H. Two more roundings are in
+//! λ = N / d · n, which is less than H / |d · n|: it is off by 17u H / |d · n|.
 
 use math::{Around, Glance, Ray3, Real, Vector};
 
@@ -12,10 +13,13 @@ use crate::Triangle;
 const UNIT: f64 = f64::EPSILON / 2.0;
 /// The error of the three volumes and d · n: more than 9u.
 const ERROR: f64 = 16.0 * UNIT;
+/// The error of λ: more than 17u.
+const LAMBDA_ERROR: f64 = 24.0 * UNIT;
 /// Between these, neither a product of four lengths nor the errors of its factors overflow or vanish.
 const SAFE: std::ops::RangeInclusive<f64> = 1e-70..=1e70;
 
-/// Whether the line of the ray passes through the triangle, and roughly where.
+/// Whether the line of the ray passes through the triangle, and roughly where. Of a ray or a triangle that is none:
+/// [`Glance::Unsure`].
 #[inline(always)]
 pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
@@ -30,7 +34,8 @@ pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     let (area, edges) = (e1_size * e2_size, e1_size + e2_size);
     let error = ERROR * d_size * (area + to_p1_size * edges);
     // NaN fails the test
-    let in_range = SAFE.contains(&d_size) && edges >= *SAFE.start() && to_p1_size + edges <= *SAFE.end();
+    let in_range =
+        SAFE.contains(&d_size) && e1_size.min(e2_size) >= *SAFE.start() && to_p1_size + edges <= *SAFE.end();
     if !in_range {
         return Glance::Unsure;
     }
@@ -44,7 +49,7 @@ pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     let one_over = 1.0 / d_dot_n;
     let lambda = dot(to_p1, n) * one_over;
     let h = area * (lambda.abs() * d_size + edges);
-    Glance::Once(Around { t: lambda, off: 16.0 * UNIT * h * one_over.abs() })
+    Glance::Once(Around { t: lambda, off: LAMBDA_ERROR * h * one_over.abs() })
 }
 
 /// α and β of the point where the line of the ray passes the plane of the triangle, each off by less than 2⁻³⁰, which is enough
@@ -62,7 +67,9 @@ pub fn alpha_beta<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<(R, 
     let (d_dot_n, v, w) = (dot(d, cross(e1, e2)), -dot(e2, q), dot(e1, q));
     let [d_size, e1_size, e2_size, to_p1_size] = [d, e1, e2, to_p1].map(size);
     let error = ERROR * d_size * (e1_size * e2_size + to_p1_size * (e1_size + e2_size));
-    let in_range = SAFE.contains(&d_size) && SAFE.contains(&(e1_size + e2_size)) && to_p1_size <= *SAFE.end();
+    let in_range = SAFE.contains(&d_size)
+        && e1_size.min(e2_size) >= *SAFE.start()
+        && to_p1_size + e1_size + e2_size <= *SAFE.end();
     // NaN fails the test
     if !(in_range && error <= ENOUGH * d_dot_n.abs()) {
         return None;
@@ -93,3 +100,6 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 fn size(v: [f64; 3]) -> f64 {
     v[0].abs() + v[1].abs() + v[2].abs()
 }
+
+#[cfg(all(test, feature = "stage"))]
+mod tests;

@@ -48,7 +48,11 @@ pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<R
     let error = ERROR * d_size * (area + to_p1_size * edges);
     // Products of four numbers of an f32 are ordinary numbers as f64. NaN fails either test, and the next.
     let in_range = match is_f64 {
-        true => SAFE.contains(&d_size) && edges >= *SAFE.start() && to_p1_size + edges <= *SAFE.end(),
+        true => {
+            SAFE.contains(&d_size)
+                && e1_size.min(e2_size) >= *SAFE.start()
+                && to_p1_size + edges <= *SAFE.end()
+        }
         false => error < f64::INFINITY,
     };
     let (lowest, highest) = (lower(lower(u, v), w), higher(higher(u, v), w));
