@@ -52,7 +52,8 @@ impl<'a, R: Real> Bounded<'a, R> {
     ///
     /// The notes' may say of a ray that it hits what it passes by, and a bound that is not met would hide that. So that
     /// what is seen does not depend on the bounds, such a hit counts only where the ray is in the part's own box: see
-    /// [`mod@crate::trial`].
+    /// [`mod@crate::trial`]. A sphere around a box, or the pixels in which it is seen, are asked for by other roundings than
+    /// a box is: by the notes' formulas [`Method::Sphere`] and [`Method::Extents`] bound nothing.
     pub fn by(formulas: Formulas, scene: &'a Scene<R>, method: Method) -> Bounded<'a, R> {
         let parts = Parts::of(scene);
         let objects = 0..scene.objects.len();
@@ -67,7 +68,11 @@ impl<'a, R: Real> Bounded<'a, R> {
         let part_boxes = || -> (Vec<usize>, Vec<Box3>) {
             (0..parts.count()).filter_map(|part| Some((part, parts.bounds(part)?))).unzip()
         };
-        let bounds = match method.or_required(parts.count()) {
+        let method = match (formulas, method.or_required(parts.count())) {
+            (Formulas::Notes, Method::Sphere | Method::Extents) => Method::None,
+            (_, method) => method,
+        };
+        let bounds = match method {
             Method::None | Method::Auto => {
                 // a ray that surely misses a sphere may hit it by the notes' formulas: those are asked one by one
                 let sphere = |part| match (formulas, parts.shape(part)) {

@@ -212,3 +212,29 @@ fn windows_that_are_very_wide() {
         scenes::<f64>(at as u64, wide, 6);
     }
 }
+
+/// A sphere so far away that the notes' discriminant has no digit left, and rays that pass at any part of its box. What the
+/// notes see they see by every bound.
+#[test]
+fn by_the_notes_every_bound_sees_the_same() {
+    let mut numbers = Numbers(3);
+    let radius = 1e-8;
+    let tiny = Shape::Sphere(Sphere { center: glam::DVec3::ZERO, radius });
+    let mut scene = random_scene::<f64>(&mut numbers, 1, 1.0).unwrap();
+    scene.objects = vec![Object { id: None, shape: tiny.clone() }];
+    let methods = Method::ALL.map(|method| (method, Bounded::by(Formulas::Notes, &scene, method)));
+    let mut wrong = 0;
+    for _ in 0..2000 {
+        let [x, y, z] = [(); 3].map(|()| 1.5 * radius * numbers.signed());
+        let origin = glam::DVec3::new(9.0 * numbers.signed(), 7.0, 5.0);
+        let ray = Ray3::<f64>::new(origin, (glam::DVec3::new(x, y, z) - origin).normalize());
+        let expected = methods[1].1.first_hit(&ray, Span::ahead(), &mut Uncounted);
+        for (method, bounded) in &methods {
+            let found = bounded.first_hit(&ray, Span::ahead(), &mut Uncounted);
+            assert_eq!(found, expected, "{} {ray:?}", method.name());
+        }
+        let is_met = tiny.hit(Formulas::Robust, &ray, Span::ahead()).is_some();
+        wrong += u32::from(expected.is_some() && !is_met);
+    }
+    assert!(methods[1].0 == Method::None && wrong > 100, "{wrong}");
+}
