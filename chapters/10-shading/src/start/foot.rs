@@ -7,7 +7,8 @@
 //!
 //! Why along n⃗: a convex shape lies behind each plane that touches it. A ray that starts before that plane and does not
 //! go toward it never meets the shape, wherever else rounding has moved its origin. So nothing but the height above the
-//! tangent plane matters, and that height is what [`Foot::error`] and [`Foot::rounding`] bound.
+//! tangent plane matters, and that height is what [`Foot::error`] and [`Foot::rounding`] bound. A ray into a sphere starts
+//! within it if it also starts below where the sphere is by then: that is [`Foot::bend`].
 //!
 //! In what follows u is half a unit of the last digit, the error of one operation. Each bound counts the roundings on the way
 //! and takes the next power of two of them. The notes' formulas are in the precision of the ray, and what they can still
@@ -35,6 +36,9 @@ pub struct Foot<R: Real> {
     /// What it will cost along the normal to round the point to R: u (|n_x p_x| + |n_y p_y| + |n_z p_z|), and for what is
     /// below the smallest number that one, four times: of a product, of two sums, and of the point.
     pub rounding: f64,
+    /// How much lower a sphere may be where that puts the point: see [`bend`]. 0 for the other shapes, which every ray that
+    /// starts below their surface is tried on.
+    pub bend: f64,
     precision: std::marker::PhantomData<R>,
 }
 
@@ -54,7 +58,7 @@ impl<R: Real> Foot<R> {
     #[inline(always)]
     pub fn origins(&self) -> [R::Vec3; 2] {
         let offset = self.offset();
-        [offset, -offset].map(|offset| {
+        [offset, -(offset + self.bend)].map(|offset| {
             let [x, y, z]: [f64; 3] =
                 std::array::from_fn(|axis| self.point[axis] + offset * self.normal[axis]);
             R::vec3(R::round_from(x), R::round_from(y), R::round_from(z))
@@ -65,6 +69,15 @@ impl<R: Real> Foot<R> {
 /// u of a precision, half a unit of the last digit of 1.
 pub(crate) const fn unit(digits: u32) -> f64 {
     1.0 / (1u64 << digits) as f64
+}
+
+/// How much lower than its tangent plane a sphere may be at an origin. Rounded to R, that is off along the surface by
+/// w = u (|x| + |y| + |z|) at most, and there the sphere is lower by r − √(r² − w²), which is less than w²/r. (Where w is more
+/// than r there may be no number within.)
+#[inline(always)]
+fn bend<R: Real>([x, y, z]: [f64; 3], r: f64) -> f64 {
+    let w = unit(R::DIGITS) * (x.abs() + y.abs() + z.abs());
+    w * (w / r).min(1.0)
 }
 
 /// The foot of a landing on a shape; `face` is the face of a mesh. The landing's point must be finite.
@@ -87,7 +100,11 @@ pub fn of<R: Real>(formulas: Method, shape: &Shape<R>, face: Option<usize>, land
     // the last sum of the point's coordinates was rounded to f64
     let error = error + unit(<f64 as Real>::DIGITS) * size;
     let rounding = unit(R::DIGITS) * size + 4.0 * Into::<f64>::into(R::SMALLEST);
-    Foot { point, normal, error, rounding, precision: std::marker::PhantomData }
+    let bend = match shape {
+        Shape::Sphere(sphere) => bend::<R>(point, sphere.radius.into()),
+        _ => 0.0,
+    };
+    Foot { point, normal, error, rounding, bend, precision: std::marker::PhantomData }
 }
 
 #[cfg(all(test, feature = "stage"))]

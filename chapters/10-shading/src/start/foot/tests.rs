@@ -156,6 +156,32 @@ fn no_sphere_is_farther_from_its_foot_than_is_said() {
     spheres::<f64>(Precision::F64);
 }
 
+/// Far from the origin of the world an origin is rounded along the surface too, and a sphere bends away from there.
+#[test]
+fn a_ray_into_a_far_sphere_starts_within() {
+    let mut draw = Draw::new(1, "into a far sphere", Precision::F32);
+    for _ in 0..50_000 {
+        // just above a power of two half a unit of the last digit is as much of the number as it ever is
+        let center = vector::<f32>([8193.0, 0.0, 0.0]);
+        let sphere = Shape::Sphere(Sphere { center, radius: 1.0 });
+        let normal = vector::<f32>(f64::xyz(draw.direction()));
+        let landing = Landing {
+            object: 0,
+            part: 0,
+            lambda: 1.0,
+            point: center + normal,
+            face_normal: normal,
+            normal,
+            alpha_beta: None,
+        };
+        let foot: Foot<f32> = of(Method::Robust, &sphere, None, &landing);
+        let [_, within] = foot.origins();
+        let from_center = minus(&exact(within.in_f64()), &exact(center.in_f64()));
+        let beyond = Exact::dot(&from_center, &from_center) - Exact::new(1.0);
+        assert!(beyond.is_negative(), "{center:?} {normal:?} {within:?}");
+    }
+}
+
 #[test]
 fn no_plane_is_farther_from_its_foot_than_is_said() {
     planes::<f32>(Precision::F32);
