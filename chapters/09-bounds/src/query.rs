@@ -5,7 +5,7 @@ use math::{Ray3, Real, Span};
 /// What a ray hits first, part by part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstPart<R> {
-    /// Which of the [`Parts`].
+    /// Which of the [`Parts`](crate::Parts).
     pub part: usize,
     /// λ, in lengths of the ray's direction.
     pub lambda: R,
@@ -20,6 +20,8 @@ pub struct Query<R: Real> {
     pub span: Span<R>,
     /// A part that the ray passes as if it were not there.
     pub without: Option<usize>,
+    /// It is tried all the same, and its hit does not count: for who wants to know what that costs.
+    pub tries_idly: bool,
     /// A solid part in which the ray starts, just below its surface: where its line enters that part is behind it.
     pub within: Option<usize>,
 }
@@ -27,6 +29,6 @@ pub struct Query<R: Real> {
 impl<R: Real> Query<R> {
     /// A ray that is tried on everything.
     pub fn new(ray: Ray3<R>, span: Span<R>) -> Query<R> {
-        Query { ray, span, without: None, within: None }
+        Query { ray, span, without: None, tries_idly: false, within: None }
     }
 }

@@ -8,6 +8,8 @@
 //! on the bounds; so would then what is seen. To be the same by every bound, a hit of theirs counts only where the ray is
 //! in the part's own box, and not before it enters that box: a bound in which that box is leaves no such hit out.
 
+use std::hint::black_box;
+
 use affine::Affine;
 use math::glance::First;
 use math::{Glance, Ray3, Real, Span};
@@ -99,6 +101,7 @@ impl<R: Real> Tried<'_, R> {
     #[inline(always)]
     pub(crate) fn on(&mut self, part: usize) -> Option<R> {
         if part == self.without {
+            self.on_idly(part);
             return None;
         }
         if self.is_tried_on_all() {
@@ -113,12 +116,25 @@ impl<R: Real> Tried<'_, R> {
     pub(crate) fn on_sphere(&mut self, block: &Spheres, past: &Passages, lane: usize) -> Option<R> {
         let part = block.part(lane);
         if part == self.without {
+            self.on_idly(part);
             return None;
         }
         if self.is_tried_on_all() {
             return self.on_the_long_way(part);
         }
         self.on_at_a_glance(part, block.glance(&self.line, past, lane))
+    }
+
+    /// A part that does not count, where it is tried all the same.
+    #[inline(always)]
+    fn on_idly(&self, part: usize) {
+        let Query { ray, span, tries_idly, .. } = self.query;
+        if *tries_idly {
+            let glance = self.parts.glance(part, ray, &self.line);
+            if black_box(glance.first_within(*span)) == First::Unsure {
+                black_box(self.parts.hit(part, ray, *span));
+            }
+        }
     }
 
     #[inline(always)]

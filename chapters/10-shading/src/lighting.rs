@@ -20,8 +20,21 @@ pub struct Lighting<'a, R: Real> {
     pub start: Start,
     /// A ray is sent to a light even where r_d + r_s = 0 and it changes nothing.
     pub idle_shadows: bool,
-    /// A second ray is tried even on what it cannot meet again: see [`Spared`].
-    pub idle_tests: bool,
+    /// Whether a second ray is tried on what it leaves and cannot meet again.
+    pub again: Again,
+}
+
+/// Whether a second ray is tried on the part that it leaves, where that cannot be met again: see [`Spared`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Again {
+    /// No.
+    Never,
+    /// Yes, and it does not count: for who wants to know what that costs. (To count it would say something
+    /// else of a ray that runs along a plane by all its digits, as to a light in that plane: on which side it
+    /// is depends on their rounding.)
+    Idly,
+    /// Yes, as on every other part: for who wants to know whether it is met.
+    Counted,
 }
 
 /// What becomes of one light at a point.
@@ -68,8 +81,9 @@ impl<'a, R: Real> Lighting<'a, R> {
         let formulas = self.bounded.formulas();
         let mut starts = Starts::of(self.start, formulas, shape, face, &landing);
         // the notes' formulas may say of what cannot be met that it is, and they are taken at their word
-        if self.start == Start::Bound && formulas == Method::Robust && !self.idle_tests {
+        if self.start == Start::Bound && formulas == Method::Robust && self.again != Again::Counted {
             starts.spared = Spared::of(shape, landing.part);
+            starts.tries_idly = self.again == Again::Idly;
         }
         Some(Point {
             turned: landing.turned_toward(direction),

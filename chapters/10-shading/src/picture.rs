@@ -6,6 +6,7 @@ use math::Real;
 use stage::{Anchor, Ask, Canvas, Color, Error, Pen};
 
 use crate::layout::{CELL, CELLS, COLUMNS, Part, SIZE, Term, What};
+use crate::lighting::Again;
 use crate::own::{self, SCALES};
 use crate::render::{Rendered, Seen, render};
 use crate::{Lighting, Rgb, Scene, Start, from_file};
@@ -16,7 +17,7 @@ pub(crate) fn lighting<'a, R: Real>(
     bounded: &'a Bounded<'a, R>,
     start: Start,
 ) -> Lighting<'a, R> {
-    Lighting { scene, bounded, start, idle_shadows: false, idle_tests: true }
+    Lighting { scene, bounded, start, idle_shadows: false, again: Again::Counted }
 }
 
 /// All parts, each with what is drawn in it. Terms of the scene that are drawn as large as each other are rendered once.

@@ -84,6 +84,7 @@ mod tests {
             skipped: 0.0,
             without: None,
             spared: crate::start::Spared::Nothing,
+            tries_idly: false,
         };
         let span = starts.to(light, from_below.direction).span;
         assert_eq!(robust(&from_below, &BALL).hit(span).unwrap(), None);

@@ -69,6 +69,8 @@ pub struct Starts<R: Real> {
     pub without: Option<usize>,
     /// The part that need not be tried, as it is not hit again.
     pub spared: Spared,
+    /// It is tried all the same, and its hit does not count.
+    pub tries_idly: bool,
 }
 
 /// A ray that starts outside of something convex and goes away from it does not come back: there is nothing to try.
@@ -117,6 +119,7 @@ impl<R: Real> Starts<R> {
             skipped: zero,
             without: None,
             spared: Spared::Nothing,
+            tries_idly: false,
         };
         match start {
             Start::None => from_p,
@@ -157,7 +160,9 @@ impl<R: Real> Starts<R> {
         match self.spared {
             Spared::Nothing => Query { without: self.without, ..query },
             Spared::Outside(part) if is_inward => Query { within: Some(part), ..query },
-            Spared::Outside(part) | Spared::BothSides(part) => Query { without: Some(part), ..query },
+            Spared::Outside(part) | Spared::BothSides(part) => {
+                Query { without: Some(part), tries_idly: self.tries_idly, ..query }
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use bounds::{Bounded, Query};
 use math::{Ray3, Real, Span, Vector};
-use shading::lighting::Point;
+use shading::lighting::{Again, Point};
 use shading::shadow::LastBlockers;
 use shading::{Fate, Landing, Lighting, Rgb, Start};
 
@@ -46,7 +46,7 @@ impl<'a, R: Real> Tracer<'a, R> {
             bounded,
             start: Start::Bound,
             idle_shadows: requirements.idle_shadows,
-            idle_tests: requirements.idle_tests,
+            again: if requirements.idle_tests { Again::Idly } else { Again::Never },
         };
         let around_eye = if requirements.media { around_eye(scene) } else { Vec::new() };
         Tracer { scene, lighting, media: requirements.media, around_eye, tolerance }

@@ -85,3 +85,19 @@ fn a_scene_requires_what_it_has() {
         of(&format!("max_depth = 1\n{sphere}{light}[material.m]\nmirror = 0.5\ntransmit = 0.5\nior = 1.5\n"));
     assert_eq!(features(deep), [true, false, false, false, false, false, false], "local shading only");
 }
+
+/// A light in the plane that leans: whether a point faces it is a matter of rounding.
+#[test]
+fn a_light_on_a_surface_is_the_same_whatever_is_modeled() {
+    let text = "[camera]\neye = [0.3, 2, 4]\nlook_at = [0, 0, 0]\n\
+                [[light]]\nposition = [2.7, -1.35, 2.7]\nintensity = [1, 1, 1]\n\
+                [material.m]\nambient = 0\n[[object]]\nmaterial = \"m\"\n\
+                plane = { point = [0, 0, 0], normal = [0.3, 1, 0.2] }\n";
+    let file = scene_file::Scene::from_toml("scene.toml", text, std::path::Path::new("")).unwrap();
+    let required = picture::<f64>(&file, Method::Robust, 4, |required| required, None);
+    let modeled = picture::<f64>(&file, Method::Robust, 4, |required| required.everything(), None);
+    assert_eq!(first_difference(&modeled, &required), None);
+    let required = picture::<f32>(&file, Method::Robust, 4, |required| required, None);
+    let modeled = picture::<f32>(&file, Method::Robust, 4, |required| required.everything(), None);
+    assert_eq!(first_difference(&modeled, &required), None);
+}
