@@ -13,6 +13,7 @@
 //! where the line crosses, so S ≤ |t_close| + √2 r/‖d‖. And unless the line grazes, E/a² is at most a fixed share: where a² is
 //! less than 2⁻²⁰ (L·L + r²), a glance is not enough.
 
+use math::plain::dot;
 use math::{Around, Glance, Ray3, Real, Vector};
 
 use crate::Sphere;
@@ -117,12 +118,6 @@ pub fn glance<R: Real>(line: &Line, sphere: &Sphere<R>) -> Glance {
 #[inline(always)]
 pub fn is_safe(r: f64) -> bool {
     r > 0.0 && SAFE_SQUARE.contains(&(r * r))
-}
-
-/// a · b
-#[inline(always)]
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(all(test, feature = "stage"))]

@@ -257,18 +257,6 @@ fn point_and_normal(
     Some((point, from_center.map(|component| component / r + 0.0))) // minus zero is zero
 }
 
-/// a · b in plain `f64`.
-#[inline(always)]
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// |x| + |y| + |z|: not below the length of a vector, and without a root.
-#[inline(always)]
-fn at_least_length(v: [f64; 3]) -> f64 {
-    v[0].abs() + v[1].abs() + v[2].abs()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

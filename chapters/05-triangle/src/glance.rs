@@ -5,6 +5,7 @@
 //! so that with H = |e1| |e2| times that N = A · n is off by 8u H, and d · n times |λ| by 7u H. Two more roundings are in
 //! λ = N / d · n, which is less than H / |d · n|: it is off by 17u H / |d · n|.
 
+use math::plain::{cross, difference, dot, size};
 use math::{Around, Glance, Ray3, Real, Vector};
 
 use crate::Triangle;
@@ -75,30 +76,6 @@ pub fn alpha_beta<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<(R, 
         return None;
     }
     Some((R::round_from(v / d_dot_n), R::round_from(w / d_dot_n)))
-}
-
-/// a − b
-#[inline(always)]
-fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] - b[axis])
-}
-
-/// a × b
-#[inline(always)]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// a · b
-#[inline(always)]
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// |x| + |y| + |z|
-#[inline(always)]
-fn size(v: [f64; 3]) -> f64 {
-    v[0].abs() + v[1].abs() + v[2].abs()
 }
 
 #[cfg(all(test, feature = "stage"))]

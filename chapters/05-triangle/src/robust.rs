@@ -29,11 +29,11 @@ mod at_once;
 mod carefully;
 mod correction;
 
+use math::plain::dot;
 use math::{Certainty, Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 
 use crate::parallel::parallel;
 use crate::{Hit3, Triangle};
-use at_once::dot;
 
 /// Every number of the robust method. What is worked out with more digits is rounded for the reader.
 ///

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use affine::{Affine, Matrix3};
+use math::plain::dot;
 use math::{Real, Vector, portable};
 
 use crate::Rgb;
@@ -147,10 +148,6 @@ impl Textured {
             }
         }
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]

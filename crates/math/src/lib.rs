@@ -17,6 +17,7 @@ pub mod exact;
 pub mod glance;
 pub mod grid;
 mod hit;
+pub mod plain;
 pub mod portable;
 mod ray;
 mod real;

@@ -13,9 +13,10 @@
 //! That is enough for the verdict of most rays, and for every digit of an `f32`. For the digits of an `f64` the
 //! bound is taken apart in [`spoiled`].
 
+use math::plain::dot;
 use math::{Real, TwoPart};
 
-use super::{Certainty, Chord, dot};
+use super::{Certainty, Chord};
 
 /// What plain `f64` can say.
 pub(super) enum Found {

@@ -5,9 +5,10 @@
 //! 98u² ‖L‖ ‖P‖, and some twenty-five roundings of lower parts, u² of r² + P·P each.
 
 use math::TwoPart;
+use math::plain::{dot, size};
 use math::two_part::{two_product, two_sum};
 
-use super::{Certainty, Chord, at_least_length, dot, near_surface};
+use super::{Certainty, Chord, near_surface};
 
 /// The error of ‖P‖² in ‖L‖ ‖P‖: 2^−99 is 128u².
 const P_ERROR: f64 = 1.0 / (1u128 << 99) as f64;
@@ -47,10 +48,9 @@ pub(super) fn chord(
     let half_chord_squared = sum.hi + (left + p_d * correction);
 
     let p_p = squares[0].hi + squares[1].hi + squares[2].hi;
-    let l_size = at_least_length(l.map(|part| part.hi));
-    let error = P_ERROR * l_size * at_least_length(p_hi)
-        + SUM_ERROR * (r_r.hi + p_p)
-        + CORRECTION_ERROR * (p_d * correction);
+    let l_size = size(l.map(|part| part.hi));
+    let error =
+        P_ERROR * l_size * size(p_hi) + SUM_ERROR * (r_r.hi + p_p) + CORRECTION_ERROR * (p_d * correction);
     let certainty = Certainty::Corrected;
     let miss = Chord {
         certainty,

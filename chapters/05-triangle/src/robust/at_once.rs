@@ -14,6 +14,7 @@
 //! One bound for all, 16u \|d\| (\|e1\| \|e2\| + \|A\| (\|e1\| + \|e2\|)), is enough for the verdict of nearly all rays. It
 //! grows with the edges, not with the distance alone, for the volumes are taken from the edges: d · (C × A) is d · (e2 × A).
 
+use math::plain::{cross, difference, dot, size};
 use math::{Certainty, Ray3, Real, Vector};
 
 use super::correction::{Solution, corrected};
@@ -120,30 +121,6 @@ fn is_enough<R: Real>(to_p1_dot_n: f64, h: f64) -> bool {
 /// n is off by 4u |e1| |e2| at most. Where |n| is at least this share of |e1| |e2| that is 1024u of it: a 500 000th of the last
 /// digit of an `f32`.
 const OF_NORMAL: f64 = 1.0 / 256.0;
-
-/// a − b
-#[inline(always)]
-fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] - b[axis])
-}
-
-/// a × b
-#[inline(always)]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// a · b
-#[inline(always)]
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// |x| + |y| + |z|
-#[inline(always)]
-fn size(v: [f64; 3]) -> f64 {
-    v[0].abs() + v[1].abs() + v[2].abs()
-}
 
 /// The lower of two numbers, neither of them NaN: one instruction.
 #[inline(always)]

@@ -8,9 +8,8 @@
 //! All the art is in y, of which nearly everything cancels. So λ, α and β are cut off after 26 digits first, and d, e1 and e2
 //! are split into halves of 26 and 27: then no product is rounded, and y is small without being all noise.
 
+use math::plain::dot;
 use math::two_part::two_sum;
-
-use super::at_once::dot;
 
 /// λ, α and β.
 #[derive(Clone, Copy)]

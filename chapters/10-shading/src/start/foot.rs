@@ -18,11 +18,12 @@
 
 pub mod put;
 
+use math::plain::dot;
 use math::{Real, Vector};
 use signature::{Method, Shape};
 
 use crate::Landing;
-use put::{Put, dot};
+use put::Put;
 
 /// A point on a surface, in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]

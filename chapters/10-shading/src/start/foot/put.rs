@@ -4,6 +4,7 @@
 //! added by [`super::of`].
 
 use affine::{Deformed, Matrix3};
+use math::plain::dot;
 use math::{Real, Vector};
 use quadric::open::OpenCone;
 use signature::Shape;
@@ -181,9 +182,4 @@ fn cap_or_wall([x, y, z]: [f64; 3]) -> [f64; 3] {
 pub(crate) fn unit_length(n: [f64; 3]) -> [f64; 3] {
     let length = dot(n, n).sqrt();
     if length > 0.0 && length < f64::INFINITY { n.map(|component| component / length) } else { n }
-}
-
-#[inline(always)]
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
