@@ -13,8 +13,8 @@ use shading::Rgb;
 use signature::stage::{fault, read};
 use stage::{Error, Precision, TradeAsk};
 
-use crate::Counts;
 use crate::scenes::SCENES;
+use crate::{Counts, render};
 
 mod off;
 mod setting;
@@ -96,7 +96,8 @@ struct Effort {
 
 /// Measures in the chapter's own scenes, or in the file that is asked for; on one thread, whatever is asked.
 ///
-/// [`Error::Request`] where a scene is asked for that there is not, or a file is none.
+/// [`Error::Request`] where a scene is asked for that there is not, or a file is none; [`Error::Failed`] where a
+/// thread with a stack for its depth cannot be had.
 pub fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
     let own = asked_for(ask, SCENES.to_vec(), |scene| scene.name)?;
     let files: Vec<(String, String, Option<String>, scene_file::Scene)> = match &ask.scene {
@@ -123,7 +124,8 @@ pub fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
     let mut all = Vec::new();
     for (name, what, path, file) in files {
         progress.starts(name.clone());
-        let measured = in_scene(name, what, &file, ask, effort)?;
+        let stack = render::stack_to(file.max_depth);
+        let measured = render::with_stack(stack, || in_scene(name, what, &file, ask, effort))??;
         all.push(Measured { path, ..measured });
         progress.done();
     }

@@ -54,7 +54,12 @@ pub fn render<R: Real>(
 
 /// What a thread needs of its stack to trace as deep as the scene says.
 pub(crate) fn stack<R: Real>(tracer: &Tracer<'_, R>) -> usize {
-    STACK + tracer.max_depth() as usize * STACK_A_RAY
+    stack_to(tracer.max_depth())
+}
+
+/// The same for a depth.
+pub(crate) fn stack_to(depth: u32) -> usize {
+    STACK + depth as usize * STACK_A_RAY
 }
 
 /// All rays of a pixel; of `samples` × `samples` in it those of the one in the middle, or after it.

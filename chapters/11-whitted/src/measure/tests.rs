@@ -90,3 +90,26 @@ fn the_fastest_that_is_exact_enough() {
     let below = |e| measured.fastest_below(e).map(|entry| entry.seconds);
     assert_eq!([1e-4, 0.005, 0.03, 0.2].map(below), [None, Some(9.0), Some(2.0), Some(1.0)]);
 }
+
+/// Between two mirrors at the greatest depth: more than the stack of a test holds.
+#[test]
+fn a_thousand_levels_are_measured_too() {
+    let path = std::env::temp_dir().join(format!("whitted-deep-{}.toml", std::process::id()));
+    let wall = "[[object]]\nmaterial = \"m\"\nplane = { normal = [0, 0, 1], point = ";
+    let text = format!(
+        "max_depth = 1000\n[camera]\neye = [0, 0, 0]\nforward = [0, 0, 1]\nsize = [1, 1]\n\
+         [material.m]\nambient = 0.001\ndiffuse = 0\nmirror = 1\n{wall}[0, 0, 1] }}\n{wall}[0, 0, -1] }}\n"
+    );
+    std::fs::write(&path, text).unwrap();
+    let ask = TradeAsk {
+        regimes: Vec::new(),
+        precision: Some(Precision::F64),
+        scene: Some(path.clone()),
+        cases: Some(1),
+        quick: true,
+        ..ask("")
+    };
+    let measured = measure(&ask).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!((measured[0].depth, measured[0].entries[0].counts.rays()), (1000, 16_000));
+}
