@@ -9,7 +9,7 @@ use crate::{Real, Span};
 /// What a glance says. All of it is certain, or it says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Glance {
-    /// The line of the ray passes by.
+    /// The line of the ray passes by; or, of something round, it is all behind the origin.
     Misses,
     /// It crosses something flat.
     Once(Around),
