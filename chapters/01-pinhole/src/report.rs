@@ -68,6 +68,7 @@ fn plot(measured: &[Measured], seed: u64) -> TradePlot {
             unit: "pixel",
             error: ["error: how far a point is off, in pixels,", "on average; more than one counts as 1"],
             wrong: "points nearer to the place of another pixel",
+            rounds: true,
         },
         panels: panels.collect(),
     }

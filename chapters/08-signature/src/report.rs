@@ -61,6 +61,7 @@ fn plot(measured: &[Measured]) -> TradePlot {
             unit: "pixel",
             error: ["error: the share of pixels", "that see another object"],
             wrong: "pixels that see another object",
+            rounds: false,
         },
         panels: panels.collect(),
     }

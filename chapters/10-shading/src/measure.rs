@@ -32,7 +32,7 @@ pub(crate) struct Entry {
     /// Nanoseconds a second ray: where it starts, and what it meets of the shape alone.
     pub(crate) ns: Nanoseconds,
     pub(crate) faults: Faults,
-    /// No other is at least as fast and as right, and better in one of the two.
+    /// No other is at least as fast here and as right over all regimes that were measured, and better in one of the two.
     pub(crate) on_front: bool,
 }
 
@@ -53,7 +53,24 @@ pub(crate) fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
         all.push(in_regime(regime, ask, effort)?);
         progress.done();
     }
+    put_on_front(&mut all);
     Ok(all)
+}
+
+/// What is fast in one regime and wrong in another is not as right as what is never wrong: the faults that count are those
+/// of all regimes together.
+fn put_on_front(all: &mut [Measured]) {
+    let over_all = |one: &Entry| -> f64 {
+        let is_same = |it: &&Entry| (it.start, it.precision) == (one.start, one.precision);
+        all.iter().flat_map(|it| &it.entries).filter(is_same).map(|it| it.faults.share()).sum()
+    };
+    let place = |entry: &Entry| (entry.ns.median, over_all(entry));
+    let places: Vec<Vec<_>> = all.iter().map(|it| it.entries.iter().map(place).collect()).collect();
+    for (it, places) in all.iter_mut().zip(places) {
+        for (entry, on_front) in it.entries.iter_mut().zip(front(&places)) {
+            entry.on_front = on_front;
+        }
+    }
 }
 
 fn in_regime(regime: Regime, ask: &TradeAsk, effort: Effort) -> Result<Measured, Error> {
@@ -63,10 +80,6 @@ fn in_regime(regime: Regime, ask: &TradeAsk, effort: Effort) -> Result<Measured,
             Precision::F32 => at_precision::<f32>(&regime, precision, ask, effort)?,
             Precision::F64 => at_precision::<f64>(&regime, precision, ask, effort)?,
         });
-    }
-    let places: Vec<(f64, f64)> = entries.iter().map(|it| (it.ns.median, it.faults.share())).collect();
-    for (entry, on_front) in entries.iter_mut().zip(front(&places)) {
-        entry.on_front = on_front;
     }
     Ok(Measured { regime, entries })
 }

@@ -1,10 +1,13 @@
 //! What was measured, as records, as a table to read, and as the trade plot.
 
+use lab::front;
 use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
 use lab::table::{aligned, short, three_digits};
 use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured};
+
+mod advice;
 
 /// The table with what to take from it, the contract's records, and the plot `trade.svg`.
 pub(crate) fn traded(measured: &[Measured], seed: u64) -> Traded {
@@ -45,14 +48,23 @@ fn plot(measured: &[Measured]) -> TradePlot {
         precision: entry.precision,
         ns: entry.ns.median,
         error: entry.faults.share(),
-        wrong: entry.faults.acne + entry.faults.leaks.unwrap_or(0),
+        wrong: entry.faults.all(),
         cases: entry.faults.cases,
-        on_front: entry.on_front,
+        on_front: false,
+    };
+    // a panel's line is that of the panel alone
+    let marks = |entries: &[Entry]| {
+        let mut marks: Vec<Mark> = entries.iter().map(mark).collect();
+        let places: Vec<(f64, f64)> = marks.iter().map(|mark| (mark.ns, mark.error)).collect();
+        for (mark, on_front) in marks.iter_mut().zip(front(&places)) {
+            mark.on_front = on_front;
+        }
+        marks
     };
     let panels = measured.iter().map(|it| Panel {
         name: it.regime.name.to_string(),
         what: it.regime.what.to_string(),
-        marks: it.entries.iter().map(mark).collect(),
+        marks: marks(&it.entries),
     });
     TradePlot {
         title: "Where a second ray starts: speed for acne and leaks".to_string(),
@@ -61,8 +73,9 @@ fn plot(measured: &[Measured]) -> TradePlot {
             .to_string(),
         words: Words {
             unit: "second ray",
-            error: ["error: the share of second rays", "with acne or a leak"],
+            error: ["the share of second rays", "with acne or a leak"],
             wrong: "second rays with acne or a leak",
+            rounds: false,
         },
         panels: panels.collect(),
     }
@@ -74,12 +87,12 @@ fn text(measured: &[Measured], seed: u64) -> String {
              acne: per million, those that meet the surface that they leave. leaks: per million, those that miss what is 1e-4 of the\n\
              size above it all around, or the other side of the solid that they enter.\n\
              bound is judged with everything tried, and timed as it is used: what is convex and left behind is not tried again.\n\
-             ★: on the Pareto front: nothing else is at least as fast and as right, and better in one.\n";
+             ★: nothing else is at least as fast here and as right over all regimes, and better in one.\n";
     for it in measured {
         text += "\n";
         text += &table(it);
     }
-    text + "\n" + &what_to_take(measured)
+    text + "\n" + &advice::sentences(measured)
 }
 
 const HEADS: [&str; 6] = ["method", "", "ns", "", "acne/M", "leaks/M"];
@@ -101,24 +114,4 @@ fn table(Measured { regime, entries }: &Measured) -> String {
     let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
     let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
     format!("{}: {} · {cases} rays\n{}", regime.name, regime.what, aligned(&lines, &starred))
-}
-
-/// For each scene the fastest that is never wrong, at each precision.
-fn what_to_take(measured: &[Measured]) -> String {
-    let mut text = "What to take: the fastest with neither acne nor a leak\n".to_string();
-    let width = measured.iter().map(|it| it.regime.name.chars().count()).max().unwrap_or(0);
-    for Measured { regime, entries } in measured {
-        let said = stage::Precision::ALL.into_iter().filter_map(|precision| {
-            let mut of_precision = entries.iter().filter(|entry| entry.precision == precision).peekable();
-            of_precision.peek()?;
-            let right = of_precision.filter(|entry| entry.faults.acne + entry.faults.leaks.unwrap_or(0) == 0);
-            let take = right.min_by(|a, b| a.ns.median.total_cmp(&b.ns.median));
-            let take = take.map_or("none of these".to_string(), |it| {
-                format!("{}, {} ns", it.start.name(), three_digits(it.ns.median))
-            });
-            Some(format!("{} {take}", precision.name()))
-        });
-        text += &format!("  {:<width$}  {}\n", regime.name, said.collect::<Vec<_>>().join("; "));
-    }
-    text
 }

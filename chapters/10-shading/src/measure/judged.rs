@@ -37,8 +37,12 @@ pub(crate) struct Faults {
 impl Faults {
     /// The share of rays with one fault or the other; at most 1, where a ray has both it counts once and a half at most.
     pub(crate) fn share(&self) -> f64 {
-        let wrong = self.acne + self.leaks.unwrap_or(0);
-        (wrong as f64 / self.cases.max(1) as f64).min(1.0)
+        (self.all() as f64 / self.cases.max(1) as f64).min(1.0)
+    }
+
+    /// Faults of both kinds.
+    pub(crate) fn all(&self) -> u64 {
+        self.acne + self.leaks.unwrap_or(0)
     }
 
     /// So many of a million.

@@ -9,6 +9,7 @@ use super::palette::{DIM, GRID};
 use super::pen::{Letters, Stroke};
 use super::shared::Times;
 use super::svg::Svg;
+use super::trade::Words;
 
 /// What rounding once costs: half an ulp of 1, for `f32` and `f64`.
 pub(super) const HALF_ULPS: [f64; 2] = [f32::EPSILON as f64 / 2.0, f64::EPSILON / 2.0];
@@ -17,8 +18,8 @@ const NUMBER: f64 = 14.0;
 /// How far the row of exact answers reaches above the end of its axis.
 pub(super) const ZERO: f64 = 9.0;
 
-/// Draws the grid within a frame; `unit` is what takes the time.
-pub(super) fn grid(svg: &mut Svg, frame: Extent, times: &Times, error: &LogAxis, unit: &str) {
+/// Draws the grid within a frame.
+pub(super) fn grid(svg: &mut Svg, frame: Extent, times: &Times, error: &LogAxis, words: Words) {
     let numbers = Letters::new(NUMBER, DIM);
     let right = times.band.map_or(frame.right, |band| band.0);
     // exact answers have a row of their own
@@ -49,14 +50,14 @@ pub(super) fn grid(svg: &mut Svg, frame: Extent, times: &Times, error: &LogAxis,
     if let Some(band) = times.band {
         slower(svg, frame, band);
     }
-    for half_ulp in HALF_ULPS {
+    for half_ulp in HALF_ULPS.into_iter().filter(|_| words.rounds) {
         svg.line((frame.left, error.at(half_ulp)), (frame.right, error.at(half_ulp)), ROUNDOFF);
     }
     let corners = [(frame.left, frame.top), (frame.left, frame.bottom), (right, frame.bottom)];
     svg.polyline(&corners, Stroke::solid(DIM, 1.2));
     let middle = (frame.left + times.axis.places.1) / 2.0;
     let title = Letters::new(NUMBER, DIM).at(Anchor::Middle);
-    svg.text((middle, frame.bottom + 37.0), title, &format!("ns per {unit}"));
+    svg.text((middle, frame.bottom + 37.0), title, &format!("ns per {}", words.unit));
 }
 
 /// The band of what is slower than the axis, which breaks off at two strokes.
@@ -84,10 +85,14 @@ fn numbered((low, high): (f64, f64)) -> Vec<(f64, bool)> {
         .collect()
 }
 
-/// The exponents with a line: every fourth one, or as many as there is room for; the lower end is left
-/// to 0.
+/// The exponents with a line: all of a few, else every fourth one, or as many as there is room for; the
+/// lower end is left to 0.
 fn powers((low, _): (f64, f64)) -> Vec<i32> {
     let low = low as i32;
-    let every = if low >= -20 { 4 } else { 8 * (-low / 48 + 1) };
+    let every = match low {
+        -8.. => 1,
+        -20..-8 => 4,
+        _ => 8 * (-low / 48 + 1),
+    };
     (0..).map(|i| -i * every).take_while(|&exponent| exponent > low).collect()
 }

@@ -53,13 +53,13 @@ impl Legend {
         if plot.panels.iter().flat_map(|panel| &panel.marks).any(|mark| mark.wrong > 0) {
             items.push(item(look(Precision::F64, true, false), &format!("some {}", plot.words.wrong)));
         }
-        items.extend([
-            item(
-                Sign::Front,
-                "Pareto front: nothing is as fast and as close, and better in one; better is down and left",
-            ),
-            item(Sign::Roundoff, "half an ulp of 1: f32 above, f64 below"),
-        ]);
+        items.push(item(
+            Sign::Front,
+            "Pareto front: nothing is as fast and as close, and better in one; better is down and left",
+        ));
+        if plot.words.rounds {
+            items.push(item(Sign::Roundoff, "half an ulp of 1: f32 above, f64 below"));
+        }
         if shared.has_slower {
             items.push(item(Sign::Slower, "slower than the axis: in order, not to scale"));
         }

@@ -77,7 +77,7 @@ pub(super) fn draw(svg: &mut Svg, panel: &Panel, shared: &Shared, room: Room) {
     for (i, line) in what(panel, room.size.0).iter().enumerate() {
         svg.text((frame.left, y + 34.0 + 16.0 * i as f64), Letters::new(WHAT, DIM), line);
     }
-    grid(svg, frame, &times, &error, shared.words.unit);
+    grid(svg, frame, &times, &error, shared.words);
     let corners = staircase(&panel.marks);
     let corners: Vec<Point> = corners.iter().map(|&(t, e)| (times.at(t), error.at(e))).collect();
     let stairs = front(svg, frame, &corners);
@@ -119,7 +119,8 @@ fn marks(
         cut(&mark.method, LABEL, frame.width() / 2.0) + &time
     };
     // above the row of exact answers and the line close above it
-    let stack = error.at(HALF_ULPS[1]).min(error.places.0 - ZERO) - 1.0;
+    let zero = error.places.0 - ZERO;
+    let stack = if shared.words.rounds { error.at(HALF_ULPS[1]).min(zero) } else { zero } - 1.0;
     let tag = |mark: &&Mark| {
         // bold letters are wider
         let width = width(&text(mark), LABEL) * if mark.on_front { 1.08 } else { 1.0 };
@@ -132,7 +133,7 @@ fn marks(
     };
     let tags: Vec<Tag> = placed.iter().map(tag).collect();
     let stairs = stairs.windows(2).map(|pair| Line { ends: (pair[0], pair[1]), cost: 90.0 });
-    let half_ulps = HALF_ULPS.map(|half_ulp| error.at(half_ulp));
+    let half_ulps = HALF_ULPS.into_iter().filter(|_| shared.words.rounds).map(|half_ulp| error.at(half_ulp));
     let half_ulps = half_ulps.map(|y| Line { ends: ((frame.left, y), (frame.right, y)), cost: 16.0 });
     let lines: Vec<Line> = stairs.chain(half_ulps).collect();
     let labels = place_labels(&tags, frame.inset(3.0), &lines);

@@ -45,7 +45,7 @@ impl Shared {
             }
         }
         times.sort_by(f64::total_cmp);
-        let bottom = decade(least).min(LOWEST_ERROR);
+        let bottom = decade(least).min(if plot.words.rounds { LOWEST_ERROR } else { LOWEST_SHARE });
         let ns = ends(&times);
         let has_slower = times.last().is_some_and(|&slowest| slowest > ns.1);
         Shared { words: plot.words, methods, ns, has_slower, error: (f64::from(bottom), 0.0) }
@@ -85,6 +85,8 @@ impl Times {
 
 /// Where the axis of errors ends: below what a correctly rounded `f64` is off by, half of 2⁻⁵².
 const LOWEST_ERROR: i32 = -17;
+/// And where it ends if it is one of shares: 1 in 100 or below.
+const LOWEST_SHARE: i32 = -2;
 
 /// How wide the band of slower marks is, and how far from the end of the axis.
 const BAND: f64 = 54.0;

@@ -32,6 +32,9 @@ pub struct Words {
     pub error: [&'static str; 2],
     /// What is counted as wrong.
     pub wrong: &'static str,
+    /// Whether the errors are those of numbers, which end at what rounding costs; else they are shares of cases,
+    /// and the axis ends below the least of them.
+    pub rounds: bool,
 }
 
 impl Words {
@@ -40,6 +43,7 @@ impl Words {
         unit: "ray",
         error: ["error: mean relative error of t,", "a wrong verdict counts as 1"],
         wrong: "verdicts (hit or miss) wrong",
+        rounds: true,
     };
 }
 
@@ -120,8 +124,8 @@ impl Page {
 /// Speed against accuracy as an SVG: nanoseconds per ray to the right, error upward, both logarithmic,
 /// the better the further down and left. Both axes are the same in every panel.
 ///
-/// The axis of errors is whole decades up to 1, from 1e-17 or below, where an error of exactly 0 is
-/// shown. The axis of times ends at numbers 1, 2 or 5 times a power of ten: times mostly span less than
+/// The axis of errors is whole decades up to 1, from 1e-17 or below where they are of numbers
+/// ([`Words::rounds`]), else from below the least share; an error of exactly 0 is shown at its end. The axis of times ends at numbers 1, 2 or 5 times a power of ten: times mostly span less than
 /// two decades, and whole ones would leave half of every panel empty. It covers what is typical; the few
 /// marks that are far slower stand in a band at its end, and their labels give the time.
 pub fn trade_svg(plot: &TradePlot) -> String {
@@ -239,6 +243,24 @@ mod tests {
         let (ns, error) = shared.axes(Extent { left: 0.0, top: 0.0, right: 200.0, bottom: 170.0 }, &[]);
         assert!((ns.at(0.5), ns.at(50.0)) == (0.0, 200.0) && (ns.at(5.0) - 100.0).abs() < 1e-9);
         assert!((error.at(0.0), error.at(1.0)) == (170.0, 0.0) && (error.at(1e-8) - 80.0).abs() < 1e-9);
+    }
+
+    /// A share of 20 000 cases is never near what rounding costs, and no line says what that is.
+    #[test]
+    fn an_axis_of_shares_ends_below_the_least_share() {
+        let shares = |marks: Vec<Mark>| {
+            let plot = plot(vec![marks]);
+            TradePlot { words: Words { rounds: false, ..Words::RAYS }, ..plot }
+        };
+        let plots = [vec![mark(1.0, 0.5), mark(2.0, 5e-5)], vec![mark(1.0, 0.0)], vec![]].map(shares);
+        let bottoms = plots.each_ref().map(|plot| Shared::of(plot).error.0);
+        assert_eq!(bottoms, [-5.0, -2.0, -2.0]);
+        for plot in plots {
+            let document = trade_svg(&plot);
+            assert_well_formed(&document);
+            assert!(!document.contains("half an ulp"));
+        }
+        assert!(trade_svg(&plot(vec![vec![mark(1.0, 0.5)]])).contains("half an ulp"));
     }
 
     #[test]
