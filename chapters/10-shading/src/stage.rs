@@ -28,7 +28,7 @@ impl Chapter for Shading {
             picture: "The terms of a scene one by one, its shadows, and all of it; below, a small scene at f32, a row a scale \
                       and a column a method: acne where a surface shades itself, and shadows that are gone where the ray \
                       starts too far away. Any pixel of it may be explained. With --scene the scene alone.",
-            flags: &[Flag::Scene, Flag::Srgb, Flag::Samples, Flag::Threads],
+            flags: &[Flag::SceneOfShow, Flag::Srgb, Flag::Samples, Flag::Threads],
             inputs: &[],
             words: &[],
             results: &[],

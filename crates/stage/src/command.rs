@@ -9,7 +9,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 
 use crate::eval::eval;
-use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command};
+use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command, for_show};
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
 use crate::whole_file::try_at;
@@ -140,7 +140,15 @@ fn picture_path(stage: &dyn Stage, out: Option<&PathBuf>) -> Result<PathBuf, Err
 }
 
 fn trade(stage: &dyn Stage, matches: &ArgMatches, ask: &Ask, output: &mut dyn Write) -> Result<(), Error> {
-    let named = |flag| matches.value_source(flag) == Some(ValueSource::CommandLine);
+    let named = |flag: &str| matches.value_source(flag) == Some(ValueSource::CommandLine);
+    // What would change nothing is not taken without a word.
+    if let Some(flag) = for_show(&stage.about()).find(|flag| named(flag)) {
+        let remedy = match flag {
+            "scene" => "trade measures in scenes of its own: name one with --regime",
+            _ => "leave it out of trade",
+        };
+        return Err(Error::Request(format!("--{flag} is for show; {remedy}")));
+    }
     let ask = TradeAsk {
         method: named("method").then_some(ask.method),
         precision: named("precision").then_some(ask.precision),
@@ -219,7 +227,7 @@ fn ask(about: &About, matches: &ArgMatches) -> Ask {
         precision,
         size: matches.get_one("size").copied(),
         pixel: matches.get_one("pixel").copied(),
-        scene: Flag::Scene.value(about, matches),
+        scene: Flag::Scene.value(about, matches).or(Flag::SceneOfShow.value(about, matches)),
         srgb: Flag::Srgb.is_set(about, matches),
         samples: Flag::Samples.value(about, matches),
         threads: Flag::Threads.value(about, matches),

@@ -118,7 +118,8 @@ fn precisions() -> impl Iterator<Item = &'static str> {
 
 /// The size of a picture that nobody asks for, in words.
 fn own_size(About { size, flags, .. }: &About) -> String {
-    if flags.contains(&Flag::Scene) { "the scene's".to_string() } else { format!("{}x{}", size.0, size.1) }
+    let has_scenes = flags.contains(&Flag::Scene) || flags.contains(&Flag::SceneOfShow);
+    if has_scenes { "the scene's".to_string() } else { format!("{}x{}", size.0, size.1) }
 }
 
 /// The flags of `trade`: its own, and the common ones as they are meant there. A flag of the same name
@@ -157,10 +158,16 @@ fn trade_flags(about: &About) -> Vec<Arg> {
         pixel.hide(true),
         size.hide(true),
     ];
-    // what is written there is what show sees
+    // not listed there, and refused
     let for_show = about.flags.iter().filter(|flag| flag.is_for_show());
     flags.extend(for_show.filter_map(|flag| Some(flag.arg(about.name)?.hide(true))));
     flags
+}
+
+/// The names of the flags that are for `show` and that `trade` refuses.
+pub(crate) fn for_show(about: &About) -> impl Iterator<Item = &'static str> {
+    let own = about.flags.iter().filter(|flag| flag.is_for_show()).map(|flag| flag.name());
+    ["pixel", "size"].into_iter().chain(own)
 }
 
 /// What follows the flags in the help of `trade`.
@@ -168,9 +175,7 @@ fn trade_notes(about: &About) -> String {
     let About { trade, regimes, .. } = about;
     let width = regimes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let regimes: String = regimes.iter().map(|(name, what)| format!("\n  {name:width$}  {what}")).collect();
-    let own = about.flags.iter().filter(|flag| flag.is_for_show()).map(|flag| flag.name());
-    let mut for_show: Vec<String> =
-        ["pixel", "size"].into_iter().chain(own).map(|name| format!("--{name}")).collect();
+    let mut for_show: Vec<String> = for_show(about).map(|name| format!("--{name}")).collect();
     let last = for_show.pop().unwrap_or_default();
     let for_show = format!("{} and {last}", for_show.join(", "));
     format!("{trade}\n{for_show} are for show.\n\nRegimes:{regimes}")

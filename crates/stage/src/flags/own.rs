@@ -13,6 +13,8 @@ use crate::About;
 pub enum Flag {
     /// `--scene FILE`: another scene than the chapter's own.
     Scene,
+    /// The same where `trade` takes no scene: what it measures is known of the chapter's own only.
+    SceneOfShow,
     /// `--ids FILE.png`: the ids of the objects as a picture of 16-bit grays.
     Ids,
     /// `--srgb`: the picture is encoded by the sRGB curve.
@@ -36,7 +38,7 @@ impl Flag {
     /// The name of the flag.
     pub fn name(self) -> &'static str {
         match self {
-            Flag::Scene => "scene",
+            Flag::Scene | Flag::SceneOfShow => "scene",
             Flag::Ids => "ids",
             Flag::Srgb => "srgb",
             Flag::Samples => "samples",
@@ -63,7 +65,7 @@ impl Flag {
             arg.clone().value_name(name).allow_hyphen_values(true).help(help)
         };
         Some(match self {
-            Flag::Scene => arg
+            Flag::Scene | Flag::SceneOfShow => arg
                 .value_name("FILE")
                 .value_parser(value_parser!(PathBuf))
                 .help(format!("A scene, in TOML or NFF [default: the scene of {stage}]")),
@@ -117,7 +119,7 @@ fn whole(text: &str, range: RangeInclusive<u32>) -> Result<u32, String> {
 fn parse_tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(tolerance) if tolerance.is_finite() && tolerance >= 0.0 => Ok(tolerance),
-        _ => Err("write a number that is not negative, such as 0.001".to_string()),
+        _ => Err("write a finite number that is not negative, such as 0.001".to_string()),
     }
 }
 
@@ -137,7 +139,7 @@ mod tests {
     fn a_tolerance_is_finite_and_not_negative() {
         assert_eq!(["0", "1e-3", "2"].map(parse_tolerance), [Ok(0.0), Ok(0.001), Ok(2.0)]);
         for bad in ["-1e-9", "inf", "1e400", "nan", "", "small"] {
-            assert!(parse_tolerance(bad).is_err(), "{bad}");
+            assert!(parse_tolerance(bad).is_err_and(|said| said.contains("finite")), "{bad}");
         }
     }
 }

@@ -151,3 +151,58 @@ fn the_help_of_trade_names_what_is_for_show() {
     assert!(every.contains("--threads <N>") && !every.contains("--samples <N>"), "{every}");
     assert!(help(&Fake::default().about()).contains("\n--pixel and --size are for show."));
 }
+
+/// What would change nothing in a measurement is refused, before the verb or after it; what trade takes is not.
+#[test]
+fn trade_refuses_what_is_for_show() {
+    for words in [
+        &["--size", "10x10"][..],
+        &["--pixel", "3,3"],
+        &["--ids", "ids.png"],
+        &["--srgb"],
+        &["--samples", "2"],
+        &["--depth", "3"],
+        &["--tolerance", "0.1"],
+        &["--explain"],
+    ] {
+        for words in [[words, &["trade"]].concat(), [&["trade"], words].concat()] {
+            let error = Every::default().serve(&words).unwrap_err();
+            assert_eq!(error.status(), 2, "{words:?}");
+            let said = error.to_string();
+            assert!(said.contains(" is for show; leave it out of trade"), "{words:?}: {said}");
+        }
+    }
+}
+
+/// A stage whose trade takes no scene: it does not list the flag, and says what to name instead.
+#[test]
+fn a_trade_without_scenes_says_so() {
+    struct OfShow;
+    impl Chapter for OfShow {
+        fn about(&self) -> About {
+            About { flags: &[Flag::SceneOfShow], ..Fake::default().about() }
+        }
+
+        fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
+            Err(Error::Failed(format!("{:?}", ask.scene)))
+        }
+
+        fn trade(&self, _: &TradeAsk) -> Result<Traded, Error> {
+            Err(Error::Failed("measured".to_string()))
+        }
+    }
+    let said = |words: &[&str]| {
+        let words = ["of-show"].iter().chain(words);
+        let matches = command(&Chapter::about(&OfShow)).try_get_matches_from(words).unwrap();
+        serve(&OfShow, &matches, &mut Vec::new()).unwrap_err()
+    };
+    let help = command(&Chapter::about(&OfShow)).try_get_matches_from(["", "trade", "--help"]);
+    let help = help.unwrap_err().to_string();
+    assert!(!help.contains("--scene <FILE>") && help.contains("--size and --scene are for show"), "{help}");
+    assert!(said(&["--scene", "a.toml"]).to_string().contains("a.toml"));
+    for words in [&["trade", "--scene", "a.toml"][..], &["--scene", "a.toml", "trade", "--regime", "far"]] {
+        let error = said(words);
+        assert_eq!(error.status(), 2);
+        assert!(error.to_string().contains("name one with --regime"), "{error}");
+    }
+}
