@@ -100,9 +100,8 @@ fn label(canvas: &mut Canvas, parts: &[(Part, Rendered)]) {
     canvas.label((8.0, top - 30.0), Anchor::Left, 17.0, Color::BLACK, head);
     for (column, start) in COLUMNS.into_iter().enumerate() {
         let x = left + wide * column as f32;
-        let color = if start == Start::Bound { Color::BLUE } else { Color::BLACK };
         let text = format!("{}: {}", start.name(), in_short(start));
-        canvas.label((x, top - 7.0), Anchor::Left, 13.0, color, &text);
+        canvas.label((x, top - 7.0), Anchor::Left, 13.0, Color::BLACK, &text);
     }
     for (row, scale) in SCALES.into_iter().enumerate() {
         let y = top + high * row as f32 + high / 2.0;
@@ -118,7 +117,7 @@ fn in_short(start: Start) -> &'static str {
         Start::Fixed => "1e−3 skipped",
         Start::Scaled => "2ε |p| skipped",
         Start::Exclude => "not itself again",
-        Start::Bound => "outside by its error",
+        Start::Bound => "beyond its error",
     }
 }
 
