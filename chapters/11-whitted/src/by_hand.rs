@@ -3,6 +3,7 @@
 mod lights;
 mod media;
 mod mirrors;
+mod slips;
 
 use bounds::Parts;
 use math::Real;

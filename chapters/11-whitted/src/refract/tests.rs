@@ -22,7 +22,32 @@ fn the_critical_angles_of_the_page() {
     assert_eq!(critical_angle(1.0, 1.0), None);
 }
 
-/// Slip 14: "if c2 < c1, light bends away from the normal (e.g. water to air)" has c2 > c1 in mind.
+/// Slip 14: "If c2 < c1, light bends towards the normal (e.g. air to water). If c2 < c1, light bends away from the normal
+/// (e.g. water to air)." One condition cannot do both, and from water into air it does not hold.
+#[test]
+fn as_printed_light_bends_both_ways_on_one_condition() {
+    let (air, water) = (1.0, 1.33);
+    let speed = |n: f64| 1.0 / n;
+    for (n1, n2, bends_away) in [(air, water, false), (water, air, true)] {
+        let theta2 = refract::<f64>(down(30.0), DVec3::Y, n1, n2).theta2().unwrap();
+        assert_eq!(theta2 > 30.0, bends_away);
+        let (c1, c2) = (speed(n1), speed(n2));
+        assert_eq!(c2 > c1, bends_away, "as it should be");
+        assert_ne!(c2 < c1, bends_away, "as printed");
+    }
+}
+
+/// Slip 28: 1.8 is dense flint. Light at 38° inside window glass, of 1.5, gets out of it, and out of the page's glass it
+/// does not: asin(1/1.5) = 41.8103°.
+#[test]
+fn as_printed_glass_keeps_light_that_leaves_a_window() {
+    let out = |n| refract::<f64>(down(38.0), DVec3::Y, n, 1.0);
+    assert_eq!(out(1.8).t, None);
+    // by hand: 1.5 sin 38° = 0.923492, and asin of it is 67.4416°
+    assert!((out(1.5).theta2().unwrap() - 67.4416).abs() < 0.001, "{:?}", out(1.5).theta2());
+    assert!((critical_angle(1.5, 1.0).unwrap() - 41.8103).abs() < 0.001);
+}
+
 #[test]
 fn toward_the_normal_into_the_slower_medium_and_away_out_of_it() {
     for theta1 in [1.0, 10.0, 30.0, 45.0] {
