@@ -27,8 +27,11 @@ impl Candidate<'_> {
         let share = |entry: &Entry| entry.faults.per_million(count(entry));
         let some: Vec<_> = self.all.iter().filter(|(_, entry)| count(entry) > 0).collect();
         let (regime, entry) = some.iter().max_by(|a, b| share(a.1).total_cmp(&share(b.1)))?;
-        let (of, most) = (self.all.len(), short(share(entry)));
-        Some(format!("{what} in {} of {of}, most in {regime}: {most} per million", some.len()))
+        let most = match count(entry) == entry.faults.cases {
+            true => "every ray".to_string(),
+            false => format!("{} per million", short(share(entry))),
+        };
+        Some(format!("{what} in {} of {}, most in {regime}: {most}", some.len(), self.all.len()))
     }
 
     fn leaks(&self) -> Option<String> {
@@ -80,7 +83,8 @@ pub(super) fn sentences(measured: &[Measured]) -> String {
 
 /// The fastest without a fault in each regime, at each precision; in brackets what has some elsewhere.
 fn in_one_regime(measured: &[Measured], candidates: &[Candidate<'_>]) -> String {
-    let mut text = "The fastest with neither acne nor a leak, in one regime alone; in brackets what has some in another\n".to_string();
+    let mut text = "The fastest with neither acne nor a leak, in one regime alone; in brackets what has some in another\n"
+        .to_string();
     let width = measured.iter().map(|it| it.regime.name.chars().count()).max().unwrap_or(0);
     for Measured { regime, entries } in measured {
         let said = Precision::ALL.into_iter().filter_map(|precision| {

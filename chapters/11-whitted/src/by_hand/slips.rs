@@ -42,9 +42,8 @@ fn as_printed_a_clear_pane_is_black() {
     let (r_a, r_d, r_g, r_t, background) = (0.0, 0.0, 0.0, 0.75, 0.5);
     let printed: f64 = r_a + r_d + r_g * background;
     assert_eq!(printed, 0.0);
-    let clear = format!(
-        "background = [{background}, {background}, {background}]\n[material.m]\nambient = {r_a:?}\ndiffuse = {r_d:?}\ntransmit = {r_t}\n"
-    );
+    let sky = format!("background = [{background}, {background}, {background}]\n");
+    let clear = format!("{sky}[material.m]\nambient = {r_a:?}\ndiffuse = {r_d:?}\ntransmit = {r_t}\n");
     let scene = [&clear, &plane([0.0; 3], [0.0, 0.0, 1.0])[..]].concat();
     assert_sees([0.0, 0.0, 5.0], DOWN_Z, &scene, [printed + r_t * background; 3]);
 }

@@ -28,7 +28,7 @@ fn the_last_line_is_of_all_regimes() {
         let (good, bad) = (good.name(), bad.name());
         let last = format!(
             "What to take: over all regimes {good} f64 is the only one without acne and leaks; {bad} f64, the fastest \
-             of the faultless in 1 of them, has leaks in 1 of 2, most in small-at-7: 1.0e6 per million"
+             of the faultless in 1 of them, has leaks in 1 of 2, most in small-at-7: every ray"
         );
         assert_eq!(text.lines().last(), Some(last.as_str()));
         assert!(text.contains(&format!("  unit-at-0   f64 ({bad}, 30.0 ns)\n")), "{text}");
