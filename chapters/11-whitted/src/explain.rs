@@ -20,6 +20,7 @@ pub(crate) fn requirements<R: Real>(
     file: &scene_file::Scene,
     scene: &Scene<R>,
     requirements: &Requirements,
+    auto: bool,
 ) {
     let parts = Parts::of(&scene.lit.geometry).count();
     let asked = Asked { scene, requirements, parts };
@@ -29,16 +30,17 @@ pub(crate) fn requirements<R: Real>(
         vec![Value::text(feature), Value::text(required), Value::text(why)]
     };
     let mut rows =
-        vec![vec![Value::text("precision"), Value::text(R::NAME), Value::text(precision::<R>(file))]];
+        vec![vec![Value::text("precision"), Value::text(R::NAME), Value::text(precision::<R>(file, auto))]];
     rows.extend(asked.rows().map(row));
     section.table(&["feature", "required", "why"], rows);
     sums_above_one(section, file, scene);
     bound(section, scene);
 }
 
-fn precision<R: Real>(file: &scene_file::Scene) -> String {
+fn precision<R: Real>(file: &scene_file::Scene, auto: bool) -> String {
     match crate::from_file::scene::<f32>(file, None, None) {
         Err(_) => "the scene has numbers that f32 cannot hold".to_string(),
+        Ok(_) if auto => format!("{} as --precision auto found, see above", R::NAME),
         Ok(_) => format!("{} as asked; --precision auto finds out whether f32 is enough", R::NAME),
     }
 }
@@ -105,7 +107,7 @@ impl<R: Real> Asked<'_, R> {
         let of = |object: usize| &lit.materials[lit.painted[object].material];
         let silent = self.objects().filter(|&object| !of(object).answers_lights()).count();
         match (lit.lights.len(), silent) {
-            (0, _) => "there is no light".to_string(),
+            (0, _) => "there is no light: only what is ambient is seen; [[light]] adds one".to_string(),
             (_, silent) if silent == self.objects().len() => {
                 "no material answers a light: r_d + r_s = 0".to_string()
             }
@@ -180,8 +182,11 @@ fn bound<R: Real>(section: &mut Section, scene: &Scene<R>) {
     let bound = Tolerance::new(scene, 0.0).bound(1).unwrap_or(f64::INFINITY);
     section.step("maxDepth", "how deep the recursion goes", whole(scene.max_depth.into())).number(
         "B(1)",
-        "no pixel is brighter, linear, before clamping",
+        "the most a pixel can be: linear, of all lights, coefficients and depths",
         bound,
+    );
+    section.remark(
+        "B(d) = max(background, the largest L + (r_g + r_t) B(d + 1)), L = r_a I_a C + Σ I (r_d C + r_s).",
     );
 }
 

@@ -4,6 +4,10 @@
 //! solids in solids it takes a stack: entering a solid pushes it, leaving takes it out, wherever it lies (two that overlap
 //! are left in another order than they were entered). The medium is that of the topmost, and air where there is none.
 
+use math::{Ray3, Real, Span, Vector};
+
+use crate::Scene;
+
 /// The solids that a ray is in, the latest entered on top. By their places in the scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Media {
@@ -65,6 +69,34 @@ impl Media {
             Undo::Nothing => {}
         }
     }
+}
+
+/// The solids that hold the eye: from where both ways along a line leave them.
+pub(crate) fn around_eye<R: Real>(scene: &Scene<R>) -> Vec<usize> {
+    let geometry = &scene.lit.geometry;
+    let ray = geometry.ray((0, 0));
+    let holds = |object: &usize| {
+        let leaves = |ray: &Ray3<R>| {
+            let hit = geometry.objects[*object].shape.hit(signature::Method::Robust, ray, Span::ahead());
+            hit.is_some_and(|hit| hit.t > R::from(0.0) && hit.normal.dot(ray.direction) > R::from(0.0))
+        };
+        scene.is_solid(*object) && leaves(&ray) && leaves(&Ray3::new(ray.origin, -ray.direction))
+    };
+    (0..geometry.objects.len()).filter(holds).collect()
+}
+
+/// Those solids in the order in which the eye ray's line, followed from behind, entered them: the farthest behind first, on a
+/// tie the earlier one.
+pub(crate) fn entered_from_behind<R: Real>(scene: &Scene<R>, solids: &[usize], ray: &Ray3<R>) -> Vec<usize> {
+    let back = Ray3::new(ray.origin, -ray.direction);
+    let far = |solid: usize| {
+        let shape = &scene.lit.geometry.objects[solid].shape;
+        let hit = shape.hit(signature::Method::Robust, &back, Span::ahead());
+        hit.map_or(0.0, |hit| hit.t.into())
+    };
+    let mut entered: Vec<(f64, usize)> = solids.iter().map(|&solid| (far(solid), solid)).collect();
+    entered.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    entered.into_iter().map(|(_, solid)| solid).collect()
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use shading::lighting::{Again, Point};
 use shading::shadow::LastBlockers;
 use shading::{Fate, Landing, Lighting, Rgb, Start};
 
-use crate::media::Undo;
+use crate::media::{Undo, around_eye, entered_from_behind};
 use crate::{Kind, Media, Requirements, Scene, Sent, Tolerance, Witness, mirror, refract};
 
 /// The tracer: a scene, how to search it, and how much of it to model.
@@ -183,7 +183,9 @@ impl<'a, R: Real> Tracer<'a, R> {
         let is_solid = self.scene.is_solid(object);
         let enters = point.turned.from_outside;
         let before = self.index(path.media.top());
+        witness.media(&path.media);
         let undo = if self.media && is_solid { path.media.pass(object, enters) } else { Undo::Nothing };
+        witness.media(&path.media);
         let after = self.index(path.media.top());
         let refraction = refract::<R>(-point.c, point.turned.n, before, after);
         witness.refraction(&refraction, is_solid.then_some(enters));
@@ -239,32 +241,4 @@ impl<'a, R: Real> Tracer<'a, R> {
         path.weight = weight;
         e
     }
-}
-
-/// The solids that hold the eye: from where both ways along a line leave them.
-fn around_eye<R: Real>(scene: &Scene<R>) -> Vec<usize> {
-    let geometry = &scene.lit.geometry;
-    let ray = geometry.ray((0, 0));
-    let holds = |object: &usize| {
-        let leaves = |ray: &Ray3<R>| {
-            let hit = geometry.objects[*object].shape.hit(signature::Method::Robust, ray, Span::ahead());
-            hit.is_some_and(|hit| hit.t > R::from(0.0) && hit.normal.dot(ray.direction) > R::from(0.0))
-        };
-        scene.is_solid(*object) && leaves(&ray) && leaves(&Ray3::new(ray.origin, -ray.direction))
-    };
-    (0..geometry.objects.len()).filter(holds).collect()
-}
-
-/// Those solids in the order in which the eye ray's line, followed from behind, entered them: the farthest behind first, on a
-/// tie the earlier one.
-fn entered_from_behind<R: Real>(scene: &Scene<R>, solids: &[usize], ray: &Ray3<R>) -> Vec<usize> {
-    let back = Ray3::new(ray.origin, -ray.direction);
-    let far = |solid: usize| {
-        let shape = &scene.lit.geometry.objects[solid].shape;
-        let hit = shape.hit(signature::Method::Robust, &back, Span::ahead());
-        hit.map_or(0.0, |hit| hit.t.into())
-    };
-    let mut entered: Vec<(f64, usize)> = solids.iter().map(|&solid| (far(solid), solid)).collect();
-    entered.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    entered.into_iter().map(|(_, solid)| solid).collect()
 }

@@ -1,5 +1,7 @@
 //! The transcript: the tree of a pixel's rays, down to the last term, and the rays of the picture.
 
+mod angles;
+mod names;
 mod of_ray;
 mod table;
 
@@ -10,12 +12,18 @@ use signature::Method;
 use stage::{Color, Section, Transcript, Value};
 
 use crate::render::Rendered;
-use crate::{Counts, Scene, Tree, critical_angle};
+use crate::{Counts, Scene, Tree};
 
-pub(crate) use of_ray::ray as of_ray;
+pub(crate) use angles::critical_angles;
+pub(crate) use names::Names;
+use of_ray::ray as of_ray;
 
-/// A table of rays ends after so many, and so many are shown term by term: six levels of rays that all split in two.
+/// As text a table of rays ends after so many: six levels of rays that all split in two.
 pub(crate) const ROWS: usize = 64;
+/// So many rays stand in the text term by term: the eye ray and those that bring most.
+const FULL: usize = 6;
+/// And so many in JSON.
+const MOST: usize = 1024;
 
 /// One pixel of a scene, and its rays.
 pub(crate) struct Shot<'a, R: Real> {
@@ -28,34 +36,6 @@ pub(crate) struct Shot<'a, R: Real> {
     pub(crate) srgb: bool,
     /// The rays of the one in the middle.
     pub(crate) tree: &'a Tree<R>,
-}
-
-/// What the objects and the materials of a scene are called.
-pub(crate) struct Names {
-    objects: Vec<String>,
-    materials: Vec<String>,
-}
-
-impl Names {
-    /// The names as the file has them.
-    pub(crate) fn new<R: Real>(file: &scene_file::Scene, scene: &Scene<R>) -> Names {
-        let materials: Vec<String> = file.materials.iter().map(|material| material.name.clone()).collect();
-        let objects = scene.lit.geometry.objects.iter().zip(&scene.lit.painted).enumerate();
-        let objects = objects.map(|(place, (object, painted))| {
-            format!("{}, {} of {}", place + 1, object.shape.name(), materials[painted.material])
-        });
-        Names { objects: objects.collect(), materials }
-    }
-
-    /// An object: its place in the file, from 1, its shape and its material.
-    pub(crate) fn object(&self, place: usize) -> &str {
-        &self.objects[place]
-    }
-
-    /// A material.
-    pub(crate) fn material(&self, place: usize) -> &str {
-        &self.materials[place]
-    }
 }
 
 /// A count as a step has it.
@@ -86,10 +66,16 @@ pub(crate) fn pixel<R: Real>(
         eye.sent.ray.direction,
     );
     if samples > 1 {
-        section.note(format!("the one in the middle of {} × {}, or after it", samples, samples));
+        let half = samples / 2 + 1;
+        section.note(format!("of {samples} × {samples} rays the one in column {half} and row {half}"));
     }
     let counts = &tree.counts;
     section.step("rays", "that are sent for it", whole(counts.rays())).note(by_kind(counts));
+    let all = counts.eye + counts.mirror + counts.refracted;
+    let listed = tree.nodes.len() as u64;
+    if listed < all {
+        section.step("not listed", "rays that Σ w I has and the tables have not", whole(all - listed));
+    }
     if counts.left_out > 0 {
         section.step("left out", "rays that are not sent, within the tolerance", whole(counts.left_out));
     }
@@ -98,7 +84,12 @@ pub(crate) fn pixel<R: Real>(
     section
         .step("Σ w I", "the contributions of all rays", rgb(tree.sum))
         .step("E", "rayTrace(p̄_ij, d⃗_ij, 1)", rgb(eye.e))
-        .note(format!("the same sum in another order: it differs by {}", Value::number(off).to_text()));
+        .note(match off {
+            0.0 => "the same sum in another order, and the same number".to_string(),
+            off => {
+                format!("the same sum in another order: rounding differs by {}", Value::number(off).to_text())
+            }
+        });
     let mean = rendered.radiance[row as usize * rendered.size.0 as usize + col as usize];
     if samples > 1 {
         section.step("mean", "E of all rays through the pixel, divided by their number", rgb(mean));
@@ -120,42 +111,31 @@ fn by_kind(counts: &Counts) -> String {
 pub(crate) fn rays<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
     table::rays(transcript, shot);
     table::sums(transcript, shot);
-    for place in 0..shot.tree.nodes.len().min(ROWS) {
-        of_ray(transcript, shot, place);
+    let places = heaviest(shot.tree);
+    let (full, most) = (places.len().min(FULL), places.len().min(MOST));
+    let mut shown = places[..most].to_vec();
+    shown.sort_unstable();
+    for place in shown {
+        of_ray(transcript, shot, place, places[..full].contains(&place));
+    }
+    if let Some(section) = transcript.sections.iter_mut().rfind(|section| section.in_text)
+        && full < places.len()
+    {
+        section.remark(format!(
+            "The {full} rays that bring most were shown; --format json shows {most} of {} term by term.",
+            places.len()
+        ));
     }
 }
 
-/// θ_c for what lets light through in the scene; with the page's two examples, where they are asked for.
-pub(crate) fn critical_angles<R: Real>(
-    transcript: &mut Transcript,
-    scene: &Scene<R>,
-    names: &Names,
-    with_examples: bool,
-) {
-    let mut rows = Vec::new();
-    let mut row = |what: &str, n: f64| {
-        let angle = critical_angle(n, 1.0).or(critical_angle(1.0, n));
-        let from = if n < 1.0 { "outside" } else { "inside" };
-        let angle = angle.map_or(Value::text("none"), |angle| Value::number((angle * 1e4).round() / 1e4));
-        rows.push(vec![Value::text(what), Value::number(n), angle, Value::text(from)]);
-    };
-    if with_examples {
-        row("water, as on the page", 1.33);
-        row("dense flint, the page's glass (slip 28)", 1.8);
+/// The places of the rays: the eye ray's first, then those that bring most by themselves.
+fn heaviest<R: Real>(tree: &Tree<R>) -> Vec<usize> {
+    let brings = |place: usize| tree.contribution(&tree.nodes[place]).largest();
+    let mut places: Vec<usize> = (0..tree.nodes.len()).collect();
+    if let Some(others) = places.get_mut(1..) {
+        others.sort_by(|&a, &b| brings(b).total_cmp(&brings(a)).then(a.cmp(&b)));
     }
-    for (place, optics) in scene.optics.iter().enumerate() {
-        let is_of = |object: usize| scene.lit.painted[object].material == place && scene.is_solid(object);
-        if optics.transmit > 0.0 && (0..scene.lit.painted.len()).any(is_of) {
-            row(names.material(place), optics.ior);
-        }
-    }
-    if !rows.is_empty() {
-        let section = transcript.section("Critical angles, against the air outside", "CSC418 11.7.3");
-        section.table(&["material", "n", "θ_c", "from"], rows);
-        section.remark(
-            "In degrees: sin θ_c is the smaller index over the larger. Beyond θ_c nothing is refracted.",
-        );
-    }
+    places
 }
 
 /// The rays of the whole picture.

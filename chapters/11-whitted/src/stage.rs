@@ -77,16 +77,19 @@ impl Chapter for Whitted {
         let shot = Shot { scene: &scene, parts, names, pixel, samples, srgb: ask.srgb, tree: &tree };
         show::pixel(&mut transcript, method, &shot, &rendered);
         show::rays(&mut transcript, &shot);
-        show::critical_angles(&mut transcript, &scene, &shot.names, own);
+        show::critical_angles(&mut transcript, &shot, own);
         show::counts(&mut transcript, &rendered, ask.tolerance);
         if ask.auto {
             auto::say(&mut transcript, &auto::found(&file, ask)?);
         }
         if ask.explain {
-            explain::requirements(&mut transcript, &file, &scene, &requirements);
+            explain::requirements(&mut transcript, &file, &scene, &requirements, ask.auto);
             explain::cost::<R>(&mut transcript, &file, size, method, ask.depth)?;
         }
-        let picture = picture::draw(&rendered, &shot, own)?;
+        let (picture, is_drawn_on) = picture::draw(&rendered, &shot, own)?;
+        if own && !is_drawn_on {
+            picture::say_that_it_is_left_out(&mut transcript);
+        }
         Ok(Shown { transcript, picture, ids: None })
     }
 

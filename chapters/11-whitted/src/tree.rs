@@ -5,7 +5,7 @@ use math::Real;
 use shading::lighting::Point;
 use shading::{Fate, Rgb};
 
-use crate::{Counts, Kind, Refraction, Sent, Witness};
+use crate::{Counts, Kind, Media, Refraction, Sent, Witness};
 
 /// A ray, what it saw, and the rays that were sent from there.
 #[derive(Clone, Debug)]
@@ -39,6 +39,8 @@ pub struct Landed<R: Real> {
     pub local: Rgb,
     /// How light goes through, where it does; with whether it enters the solid or leaves it, if it is one.
     pub refraction: Option<(Refraction<R>, Option<bool>)>,
+    /// The solids that the ray is in before it goes through and after, the outermost first; none where it does not.
+    pub media: Vec<Vec<usize>>,
 }
 
 /// The rays in the order in which they were sent, the eye ray first.
@@ -132,8 +134,9 @@ impl<R: Real> Witness<R> for Tree<R> {
             open.has_landed = true;
         }
         if let Some(node) = self.node() {
-            let (point, lights) = (point.copied(), Vec::new());
-            node.landed = Some(Landed { object, lambda, point, lights, local: Rgb::BLACK, refraction: None });
+            let (point, lights, media) = (point.copied(), Vec::new(), Vec::new());
+            let (local, refraction) = (Rgb::BLACK, None);
+            node.landed = Some(Landed { object, lambda, point, lights, local, refraction, media });
         }
     }
 
@@ -149,6 +152,12 @@ impl<R: Real> Witness<R> for Tree<R> {
         }
         if let Some(landed) = self.landing() {
             landed.local = e;
+        }
+    }
+
+    fn media(&mut self, media: &Media) {
+        if let Some(landed) = self.landing() {
+            landed.media.push(media.solids().to_vec());
         }
     }
 

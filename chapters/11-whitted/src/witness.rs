@@ -5,7 +5,7 @@ use math::{Ray3, Real};
 use shading::lighting::Point;
 use shading::{Fate, Rgb};
 
-use crate::Refraction;
+use crate::{Media, Refraction};
 
 /// Why a ray was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +58,8 @@ pub trait Witness<R: Real>: Tally {
     fn light(&mut self, _light: usize, _fate: &Fate<R>) {}
     /// The local term.
     fn local(&mut self, _e: Rgb) {}
+    /// The media on one side of a surface that lets light through, and then those on the other.
+    fn media(&mut self, _media: &Media) {}
     /// It comes to a surface that lets light through.
     fn refraction(&mut self, _refraction: &Refraction<R>, _solid: Option<bool>) {}
     /// A ray was not sent, as with all that it could bring it stays within the tolerance.

@@ -13,7 +13,7 @@ const WIDEST_ALIGNED: usize = 42;
 
 impl Display for Transcript {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        for (i, section) in self.sections.iter().enumerate() {
+        for (i, section) in self.sections.iter().filter(|section| section.in_text).enumerate() {
             if i > 0 {
                 writeln!(f)?;
             }
@@ -42,7 +42,8 @@ impl Display for Section {
 
 impl Display for Table {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let rows = self.rows.iter().map(|row| row.iter().map(|value| value.to_text()).collect());
+        let rows =
+            self.rows.iter().take(self.in_text).map(|row| row.iter().map(|value| value.to_text()).collect());
         columns(f, std::iter::once(self.columns.clone()).chain(rows).collect(), usize::MAX)
     }
 }

@@ -25,6 +25,8 @@ pub struct Table {
     pub columns: Vec<String>,
     /// The rows, each as long as `columns`.
     pub rows: Vec<Vec<Value>>,
+    /// So many of them stand in the text, the first ones; all in JSON.
+    pub in_text: usize,
 }
 
 /// A heading with its steps, its table, or a remark.
@@ -40,6 +42,8 @@ pub struct Section {
     pub table: Option<Table>,
     /// Sentences below it all.
     pub remarks: Vec<String>,
+    /// It stands in the text as well, and not in JSON alone.
+    pub in_text: bool,
 }
 
 /// All that `show` says about one ray.
@@ -65,7 +69,8 @@ impl Transcript {
     /// Opens a section; its steps are added to what this returns.
     pub fn section(&mut self, title: impl Into<String>, source: impl Into<String>) -> &mut Section {
         let (title, source) = (title.into(), source.into());
-        let section = Section { title, source, steps: Vec::new(), table: None, remarks: Vec::new() };
+        let (steps, table, remarks) = (Vec::new(), None, Vec::new());
+        let section = Section { title, source, steps, table, remarks, in_text: true };
         self.sections.push(section);
         self.sections.last_mut().expect("a section was just pushed")
     }
@@ -100,7 +105,15 @@ impl Section {
     /// Sets the table.
     pub fn table(&mut self, columns: &[&str], rows: Vec<Vec<Value>>) -> &mut Section {
         let columns = columns.iter().map(|column| column.to_string()).collect();
-        self.table = Some(Table { columns, rows });
+        self.table = Some(Table { columns, rows, in_text: usize::MAX });
+        self
+    }
+
+    /// Ends the table after so many rows where it is text.
+    pub fn rows_in_text(&mut self, most: usize) -> &mut Section {
+        if let Some(table) = &mut self.table {
+            table.in_text = most;
+        }
         self
     }
 

@@ -78,7 +78,8 @@ fn say(
     let section = transcript.section("What it would cost to model more", "--explain");
     section.table(&["modeled", "ns/ray", "times", "rays"], rows);
     section.remark(format!(
-        "{width} × {height} pixels on one thread, the median of {ROUNDS} rounds, over the {rays} rays that are required. \
+        "{width} × {height} pixels on one thread, the median of {ROUNDS} rounds, over the {rays} rays that are required; \
+         times: the median of the rounds' quotients, not the quotient of the medians. \
          The radiance of every pixel is the same."
     ));
 }

@@ -10,7 +10,7 @@ fn said(text: &str) -> (Vec<[String; 3]>, Vec<String>) {
     let scene = from_file::scene::<f64>(&file, None, None).unwrap();
     let required = Requirements::of(&scene, Parts::of(&scene.lit.geometry).count());
     let mut transcript = Transcript::new(&crate::stage::Whitted.about(), &Ask::default());
-    requirements(&mut transcript, &file, &scene, &required);
+    requirements(&mut transcript, &file, &scene, &required, false);
     let section = transcript.sections.remove(0);
     let row = |row: &Vec<Value>| [0, 1, 2].map(|cell| row[cell].to_text());
     (section.table.unwrap().rows.iter().map(row).collect(), section.remarks)
@@ -38,7 +38,7 @@ fn each_feature_has_its_reason() {
     assert_eq!(of("", "shadows"), yes("there is a light, and every material answers it"));
     assert_eq!(of("diffuse = 0", "shadows"), no("no material answers a light: r_d + r_s = 0"));
     assert_eq!(of("", "texture"), no("no object has a texture: no (u, v) is worked out"));
-    assert_eq!(why("", "shadows"), no("there is no light"));
+    assert_eq!(why("", "shadows"), no("there is no light: only what is ambient is seen; [[light]] adds one"));
     assert_eq!(why("", "shapes"), no("there are no objects: all is background"));
     let pane = "[material.m]\ntransmit = 1\nior = 2\n[[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
     assert_eq!(why(pane, "media stack"), no("what lets light through has no inside"));

@@ -72,7 +72,7 @@ impl From {
     /// The materials' names, below the objects, where there is room.
     pub(super) fn names<R: Real>(&self, canvas: &mut Canvas, shot: &Shot<'_, R>) {
         let lit = &shot.scene.lit;
-        let mut taken: Vec<(f32, f32)> = Vec::new();
+        let mut taken: Vec<(f32, f32, &str)> = Vec::new();
         for object in 0..lit.geometry.objects.len() {
             let place = match self.outline(shot, object) {
                 Some(Outline::Circle((x, y), r)) => (x, y - r),
@@ -83,13 +83,22 @@ impl From {
                 None => continue,
             };
             let (x, y) = self.view.at(place);
-            if taken.iter().any(|other| (x - other.0).abs() < 4.0 * LETTERS && (y - other.1).abs() < LETTERS)
-            {
-                continue;
-            }
-            taken.push((x, y));
             let name = shot.names.material(lit.painted[object].material);
-            canvas.label((x, y + LETTERS), Anchor::Middle, LETTERS, Color::GRAY, name);
+            // what is in something else is named below that
+            for y in [y + LETTERS, y + 2.2 * LETTERS] {
+                let is_near = |other: &&(f32, f32, &str)| {
+                    (x - other.0).abs() < 4.0 * LETTERS && (y - other.1).abs() < LETTERS
+                };
+                match taken.iter().find(is_near) {
+                    None => {
+                        taken.push((x, y, name));
+                        canvas.label((x, y), Anchor::Middle, LETTERS, Color::GRAY, name);
+                        break;
+                    }
+                    Some(other) if other.2 == name => break,
+                    Some(_) => {}
+                }
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use math::{Real, Vector};
 use shading::lighting::Point;
-use shading::{Fate, Phong};
+use shading::{Fate, Material, Phong};
 use stage::{Section, Transcript, Value};
 
 use super::{Shot, rgb};
@@ -13,7 +13,7 @@ use crate::{Kind, Refraction, Tree, critical_angle, mirror};
 const LIGHTS: usize = 16;
 
 /// One ray of the tree, by its place in it.
-pub(crate) fn ray<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>, place: usize) {
+pub(crate) fn ray<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>, place: usize, in_text: bool) {
     let node = &shot.tree.nodes[place];
     let (kind, depth) = (node.sent.kind.name(), node.sent.depth);
     let title = format!("Ray {} · {kind} · depth {depth}", place + 1);
@@ -23,18 +23,20 @@ pub(crate) fn ray<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>, plac
         Kind::Refracted => "CSC418 11.7.3",
     };
     let section = transcript.section(title, source);
+    section.in_text = in_text;
     section.vector::<R>("ā", "its origin", node.sent.ray.origin).vector::<R>(
         "b⃗",
         "its direction",
         node.sent.ray.direction,
     );
+    let smallest = if node.sent.kind == Kind::Eye { "the smallest λ ≥ 0" } else { "the smallest λ > 0" };
     match &node.landed {
         None => {
-            section.step("λ*", "the smallest that counts", Value::text("none"));
+            section.step("λ*", smallest, Value::text("none"));
             section.note("it meets nothing and sees the background");
         }
         Some(landed) => {
-            section.number("λ*", "the smallest that counts", landed.lambda);
+            section.number("λ*", smallest, landed.lambda);
             section.note(format!("object {}", shot.names.object(landed.object)));
             match &landed.point {
                 Some(point) => landing(section, shot, landed, point),
@@ -47,11 +49,12 @@ pub(crate) fn ray<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>, plac
         }
     }
     section.step("E", formula_of_e(shot.tree, node), rgb(node.e));
-    section.note(format!(
-        "w = {}: it brings {}",
-        number(node.weight),
-        rgb(shot.tree.contribution(node)).to_text()
-    ));
+    let (own, what) = match node.landed {
+        Some(_) => ("w I_l", "what it brings by itself"),
+        None => ("w E", "what it brings"),
+    };
+    section.number("w", "the coefficients from the eye, multiplied", node.weight);
+    section.step(own, what, rgb(shot.tree.contribution(node)));
 }
 
 fn number(x: f64) -> String {
@@ -77,13 +80,23 @@ fn landing<R: Real>(section: &mut Section, shot: &Shot<'_, R>, landed: &Landed<R
     section
         .vector::<R>("p̄", "ā + λ* b⃗", point.landing.point)
         .vector::<R>("n⃗", "the unit normal", point.turned.n)
-        .note(side)
-        .vector::<R>("c⃗", "−b⃗ / ‖b⃗‖", point.c)
-        .step("C", "color × texture", rgb(point.color));
+        .note(side);
+    let n_dot_face = point.turned.n.dot(point.turned.face);
+    if n_dot_face < R::from(0.0) {
+        section.number("n⃗·n⃗_face", "below 0", n_dot_face);
+        section
+            .note("the vn of the mesh point against its winding: lights before the face count as behind it");
+    }
+    section.vector::<R>("c⃗", "−b⃗ / ‖b⃗‖", point.c).step("C", "color × texture", rgb(point.color));
     let material = &lit.materials[lit.painted[landed.object].material];
-    section.step("ambient", "r_a I_a C", rgb(lit.ambient * point.color * material.ambient));
+    if material.ambient > 0.0 {
+        section.step("ambient", "r_a I_a C", rgb(lit.ambient * point.color * material.ambient));
+    }
+    if lit.lights.is_empty() {
+        section.step("V", "the light is seen", Value::text("none")).note("the scene has no light");
+    }
     for (light, fate) in landed.lights.iter().take(LIGHTS) {
-        one_light(section, shot, point, *light, fate);
+        one_light(section, shot, (point, material), *light, fate);
     }
     section.step("I_l", "ambient + Σ V (diffuse + specular)", rgb(landed.local));
     if landed.lights.len() > LIGHTS {
@@ -95,7 +108,7 @@ fn landing<R: Real>(section: &mut Section, shot: &Shot<'_, R>, landed: &Landed<R
 fn one_light<R: Real>(
     section: &mut Section,
     shot: &Shot<'_, R>,
-    point: &Point<R>,
+    (point, material): (&Point<R>, &Material),
     light: usize,
     fate: &Fate<R>,
 ) {
@@ -104,6 +117,10 @@ fn one_light<R: Real>(
     let named = |symbol: &str| format!("{symbol}_{number}");
     if to_light.is_zero() {
         section.step(&named("V"), "the light is seen", Value::number(0.0)).note("the light is at p̄");
+        return;
+    }
+    if !material.answers_lights() {
+        section.step(&named("V"), "the light is seen", Value::text("not asked")).note("as r_d + r_s = 0");
         return;
     }
     let s = to_light.unit();
@@ -118,7 +135,7 @@ fn one_light<R: Real>(
     );
     let (v, why) = match fate {
         Fate::Behind => (0.0, "n⃗·s⃗ ≤ 0: the light is behind the surface".to_string()),
-        Fate::Unanswered => (1.0, "not asked, as r_d + r_s = 0".to_string()),
+        Fate::Unanswered => (1.0, "nothing answers it".to_string()),
         Fate::Shadowed(part) => {
             (0.0, format!("object {} stands in between", shot.names.object(shot.parts.object(*part))))
         }
@@ -126,11 +143,15 @@ fn one_light<R: Real>(
     };
     section.step(&named("V"), "the light is seen", Value::number(v)).note(why);
     if let Some(Phong { m, c_dot_m, diffuse, specular, .. }) = of_seen {
-        section
-            .vector::<R>(&named("m⃗"), "2 (n⃗·s⃗) n⃗ − s⃗", *m)
-            .number(&named("c⃗·m⃗"), "cos of the highlight's angle", *c_dot_m)
-            .step(&named("diffuse"), "r_d I C max(0, n⃗·s⃗)", rgb(*diffuse))
-            .step(&named("specular"), "r_s I max(0, c⃗·m⃗)^α", rgb(*specular));
+        if material.diffuse > 0.0 {
+            section.step(&named("diffuse"), "r_d I C max(0, n⃗·s⃗)", rgb(*diffuse));
+        }
+        if material.specular > 0.0 {
+            section
+                .vector::<R>(&named("m⃗"), "2 (n⃗·s⃗) n⃗ − s⃗", *m)
+                .number(&named("c⃗·m⃗"), "cos of the highlight's angle", *c_dot_m)
+                .step(&named("specular"), "r_s I max(0, c⃗·m⃗)^α", rgb(*specular));
+        }
     }
 }
 
@@ -161,6 +182,14 @@ fn sent_on<R: Real>(section: &mut Section, shot: &Shot<'_, R>, node: &Node<R>, l
         section.number("r_g", "specularReflCoef", optics.mirror);
     }
     if let Some((refraction, through)) = &landed.refraction {
+        if let ([before, after], Some(_)) = (&landed.media[..], through) {
+            let [before, after] = [before, after].map(|solids| shot.names.media(solids));
+            section.step(
+                "media",
+                "the solids it is in, the topmost last",
+                Value::text(format!("{before} → {after}")),
+            );
+        }
         refracted(section, refraction, *through, || bring(Kind::Refracted));
         section.number("r_t", "refractiveReflCoef", optics.transmit);
     }

@@ -34,9 +34,11 @@ pub(super) fn rays<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
             Value::text(if sent_on.is_empty() { "none".to_string() } else { sent_on.join(", ") }),
         ]
     };
-    let rows = nodes.iter().enumerate().take(ROWS).map(row).collect();
+    let rows = nodes.iter().enumerate().map(row).collect();
     let section = transcript.section("The tree of its rays", "CSC418 11.7");
-    section.table(&["ray", "sent from", "kind", "depth", "λ*", "object", "sends on"], rows);
+    section
+        .table(&["ray", "sent from", "kind", "depth", "λ*", "object", "sends on"], rows)
+        .rows_in_text(ROWS);
     say_what_is_left_out(section, shot);
 }
 
@@ -47,19 +49,19 @@ pub(super) fn sums<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
         let weight = Value::number(node.weight);
         vec![number(place), weight, rgb(own), rgb(shot.tree.contribution(node))]
     };
-    let rows = shot.tree.nodes.iter().enumerate().take(ROWS).map(row).collect();
+    let rows = shot.tree.nodes.iter().enumerate().map(row).collect();
     let section = transcript.section("What they bring", "CSC418 11.7");
-    section.table(&["ray", "w", "I", "w I"], rows);
+    section.table(&["ray", "w", "I", "w I"], rows).rows_in_text(ROWS);
     section
         .remark("w: the product of the coefficients from the eye on. I: the local term, or the background.");
     say_what_is_left_out(section, shot);
 }
 
 fn say_what_is_left_out<R: Real>(section: &mut Section, shot: &Shot<'_, R>) {
-    let counts = &shot.tree.counts;
-    let all = counts.eye + counts.mirror + counts.refracted;
-    let more = all - all.min(ROWS as u64);
+    let more = shot.tree.nodes.len().saturating_sub(ROWS);
     if more > 0 {
-        section.remark(format!("{more} more rays are not listed; Σ w I above has them all."));
+        section.remark(format!(
+            "{more} more rays are in the table that --format json prints; Σ w I has them all."
+        ));
     }
 }
