@@ -180,14 +180,10 @@ fn sums_above_one<R: Real>(section: &mut Section, file: &scene_file::Scene, scen
 /// How bright anything may be.
 fn bound<R: Real>(section: &mut Section, scene: &Scene<R>) {
     let bound = Tolerance::new(scene, 0.0).bound(1).unwrap_or(f64::INFINITY);
-    section.step("maxDepth", "how deep the recursion goes", whole(scene.max_depth.into())).number(
-        "B(1)",
-        "the most a pixel can be: linear, of all lights, coefficients and depths",
-        bound,
-    );
-    section.remark(
-        "B(d) = max(background, the largest L + (r_g + r_t) B(d + 1)), L = r_a I_a C + Σ I (r_d C + r_s).",
-    );
+    section
+        .step("maxDepth", "how deep the recursion goes", whole(scene.max_depth.into()))
+        .number("B(1)", "no pixel is brighter, linear, before clamping", bound)
+        .note("B(d) = max(background, L + (r_g + r_t) B(d + 1)), L = r_a I_a C + Σ I (r_d C + r_s), of the brightest material");
 }
 
 #[cfg(test)]

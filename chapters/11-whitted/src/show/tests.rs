@@ -91,3 +91,32 @@ fn the_terms_of_a_ray_add_up() {
     }
     assert!(!ray.steps.iter().any(|step| step.symbol == "diffuse_2" || step.symbol == "diffuse_3"));
 }
+
+/// Through a ball of glass with a hollow about its middle: into the glass, into the hollow, out of both.
+#[test]
+fn the_media_are_said_at_each_crossing() {
+    let ball = |material: &str, radius: f64| {
+        format!(
+            "[[object]]\nmaterial = \"{material}\"\nsphere = {{ center = [0, 0, 0], radius = {radius} }}\n"
+        )
+    };
+    let text = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nsize = [1, 1]\n\
+                [material.g]\ndiffuse = 0\ntransmit = 1\nior = 1.5\n[material.h]\ndiffuse = 0\ntransmit = 1\n"
+        .to_string()
+        + &ball("g", 2.0)
+        + &ball("h", 1.0);
+    let sections = sections(&text, None);
+    let said: Vec<String> = sections
+        .iter()
+        .flat_map(|section| section.steps.iter().filter(|step| step.symbol == "media"))
+        .map(|step| step.value.to_text())
+        .collect();
+    let (g, h) = ("1, sphere of g", "2, sphere of h");
+    let all = [
+        format!("[] → [{g}]"),
+        format!("[{g}] → [{g}; {h}]"),
+        format!("[{g}; {h}] → [{g}]"),
+        format!("[{g}] → []"),
+    ];
+    assert_eq!(said, all);
+}
