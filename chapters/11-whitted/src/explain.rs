@@ -183,7 +183,10 @@ fn bound<R: Real>(section: &mut Section, scene: &Scene<R>) {
     section
         .step("maxDepth", "how deep the recursion goes", whole(scene.max_depth.into()))
         .number("B(1)", "no pixel is brighter, linear, before clamping", bound)
-        .note("B(d) = max(background, L + (r_g + r_t) B(d + 1)), L = r_a I_a C + Σ I (r_d C + r_s), of the brightest material");
+        .note(
+            "B(d) = max(background, L + (r_g + r_t) B(d + 1)), \
+               L = r_a I_a C + Σ I (r_d C + r_s), of the brightest material",
+        );
 }
 
 #[cfg(test)]

@@ -46,7 +46,10 @@ pub(crate) fn draw<R: Real>(
 /// Says that the picture was too small, or too flat, for what stands below the scene.
 pub(crate) fn say_that_it_is_left_out(transcript: &mut Transcript) {
     if let Some(section) = transcript.sections.iter_mut().rfind(|section| section.in_text) {
-        section.remark("The views of the rays are left out of the picture: at this size nobody could read them; 960x720 has room.");
+        section.remark(
+            "The views of the rays are left out of the picture: at this size \
+             nobody could read them; 960x720 has room.",
+        );
     }
 }
 
