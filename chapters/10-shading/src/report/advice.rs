@@ -83,7 +83,7 @@ pub(super) fn sentences(measured: &[Measured]) -> String {
 
 /// The fastest without a fault in each regime, at each precision; in brackets what has some elsewhere.
 fn in_one_regime(measured: &[Measured], candidates: &[Candidate<'_>]) -> String {
-    let mut text = "The fastest with neither acne nor a leak, in one regime alone; in brackets what has some in another\n"
+    let mut text = "What to take in one regime alone: the fastest with neither acne nor a leak; in brackets what has some in another\n"
         .to_string();
     let width = measured.iter().map(|it| it.regime.name.chars().count()).max().unwrap_or(0);
     for Measured { regime, entries } in measured {
