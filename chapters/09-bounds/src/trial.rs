@@ -14,7 +14,7 @@ use affine::Affine;
 use math::glance::First;
 use math::{Glance, Ray3, Real, Span};
 use ray_sphere::Line;
-use signature::Method;
+use signature::{Method, Shape};
 
 use crate::wide::{Passages, Spheres};
 use crate::{Box3, Parts, Query, Reach, Slabs};
@@ -76,11 +76,20 @@ pub(crate) struct Tried<'a, R: Real> {
 #[derive(Clone, Copy)]
 struct Nearest<R> {
     part: usize,
-    /// λ is between these, as the robust method rounds it.
+    /// λ is not below this, as the robust method rounds it.
     low: f64,
-    high: f64,
+    /// Nor is it above this, which is not beyond the span.
+    reach: R,
     /// λ, where it was needed.
     lambda: Option<R>,
+}
+
+impl<R: Real> Nearest<R> {
+    /// With λ to its last digit.
+    fn at(part: usize, lambda: R) -> Nearest<R> {
+        let exact: f64 = lambda.into();
+        Nearest { part, low: exact, reach: lambda, lambda: Some(lambda) }
+    }
 }
 
 impl<R: Real> Tried<'_, R> {
@@ -140,17 +149,32 @@ impl<R: Real> Tried<'_, R> {
     #[inline(always)]
     fn on_at_a_glance(&mut self, part: usize, glance: Glance) -> Option<R> {
         let glance = if part == self.within { glance.from_within() } else { glance };
-        match glance.first_within(self.query.span) {
+        let Span { min, max } = self.query.span;
+        // what is certainly farther than the nearest is as good as missed
+        let reach = self.nearest.as_ref().map_or(max, |nearest| nearest.reach);
+        match glance.first_within(Span::new(min, reach)) {
             First::None => None,
             First::Between(low, high) => match &self.nearest {
-                Some(nearest) if low > nearest.high => None,
                 Some(nearest) if high >= nearest.low => self.on_exactly(part),
                 _ => {
-                    self.nearest = Some(Nearest { part, low, high, lambda: None });
-                    Some(R::round_from(high * (1.0 + 2.0 / (1u64 << R::DIGITS) as f64)))
+                    let above = R::round_from(high * (1.0 + 2.0 / (1u64 << R::DIGITS) as f64));
+                    let reach = if above < max { above } else { max };
+                    self.nearest = Some(Nearest { part, low, reach, lambda: None });
+                    Some(reach)
                 }
             },
             First::Unsure => self.on_exactly(part),
+        }
+    }
+
+    /// λ by the robust method. A ray that starts within a sphere can only leave it.
+    fn hit(&self, part: usize) -> Option<R> {
+        let Query { ray, span, .. } = self.query;
+        match self.parts.shape(part) {
+            Shape::Sphere(sphere) if part == self.within => {
+                Some(ray_sphere::robust::hit_from_within(ray, sphere, *span).ok()??.t)
+            }
+            _ => self.parts.hit(part, ray, *span),
         }
     }
 
@@ -158,19 +182,16 @@ impl<R: Real> Tried<'_, R> {
     #[cold]
     #[inline(never)]
     fn on_exactly(&mut self, part: usize) -> Option<R> {
-        let (ray, span) = (&self.query.ray, self.query.span);
-        let lambda = self.parts.hit(part, ray, span)?;
+        let lambda = self.hit(part)?;
         if let Some(nearest) = self.nearest {
             // what is certain at a glance is a hit
-            let other = nearest.lambda.or_else(|| self.parts.hit(nearest.part, ray, span))?;
+            let other = nearest.lambda.or_else(|| self.hit(nearest.part))?;
             if !(lambda < other || (lambda == other && part < nearest.part)) {
-                let exact = Into::<f64>::into(other);
-                self.nearest = Some(Nearest { low: exact, high: exact, lambda: Some(other), ..nearest });
+                self.nearest = Some(Nearest::at(nearest.part, other));
                 return None;
             }
         }
-        let exact = Into::<f64>::into(lambda);
-        self.nearest = Some(Nearest { part, low: exact, high: exact, lambda: Some(lambda) });
+        self.nearest = Some(Nearest::at(part, lambda));
         Some(lambda)
     }
 
@@ -204,7 +225,7 @@ impl<R: Real> Tried<'_, R> {
         if exact < f64::from(enters) || loses_tie {
             return None;
         }
-        self.nearest = Some(Nearest { part, low: exact, high: exact, lambda: Some(lambda) });
+        self.nearest = Some(Nearest::at(part, lambda));
         Some(lambda)
     }
 

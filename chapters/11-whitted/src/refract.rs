@@ -37,7 +37,8 @@ pub fn refract<R: Real>(d: R::Vec3, n: R::Vec3, n1: f64, n2: f64) -> Refraction<
     let eta = R::round_from(n1 / n2);
     let sin2_theta2 = eta * eta * tangent.dot(tangent);
     let one = R::from(1.0);
-    let t = if n1 == n2 {
+    // straight on, or with nothing to bend it
+    let t = if n1 == n2 || tangent.is_zero() {
         Some(d)
     } else if sin2_theta2 <= one {
         let cos_theta2 = (one - sin2_theta2).sqrt();
