@@ -37,7 +37,7 @@ pub struct Foot<R: Real> {
     /// What it will cost along the normal to round the point to R: u (|n_x p_x| + |n_y p_y| + |n_z p_z|), and for what is
     /// below the smallest number that one, four times: of a product, of two sums, and of the point.
     pub rounding: f64,
-    /// How much lower a sphere may be where that puts the point: see [`bend`]. 0 for the other shapes, which every ray that
+    /// How much lower a sphere may be where that puts the point: see `bend` below. 0 for the other shapes, which every ray that
     /// starts below their surface is tried on.
     pub bend: f64,
     precision: std::marker::PhantomData<R>,
