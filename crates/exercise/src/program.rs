@@ -1,0 +1,223 @@
+//! What `cargo run` and `cargo test` do in a hand-out.
+
+use std::cell::RefCell;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::panic::{self, AssertUnwindSafe};
+use std::process::ExitCode;
+use std::sync::Once;
+
+use crate::{Answer, Broken, Case, Sheet, Step, Steps, Wrong, first_wrong_step};
+
+/// Writes down what the code makes of a case.
+pub type Probe = fn(&Case, &mut Steps);
+
+/// The code of an exercise, with what to look at.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// The cases that it is shown, with what is expected of them: a [`Sheet`] as text.
+    pub sheet: &'static str,
+    /// What it makes of a case.
+    pub probe: Probe,
+}
+
+thread_local! {
+    /// Where the last panic of this thread was, while a probe runs.
+    static PLACE: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Runs a probe. A panic ends the answer, and is no error.
+pub fn run(probe: impl Fn(&Case, &mut Steps), case: &Case) -> Answer {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let before = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            let place = info.location().map_or(String::new(), |it| format!("{}:{}", it.file(), it.line()));
+            let asked = PLACE.with(|it| it.borrow_mut().as_mut().map(|kept| *kept = place).is_some());
+            if !asked {
+                before(info);
+            }
+        }));
+    });
+    PLACE.with(|it| *it.borrow_mut() = Some(String::new()));
+    let mut steps = Steps::default();
+    let ended = panic::catch_unwind(AssertUnwindSafe(|| probe(case, &mut steps)));
+    let place = PLACE.with(|it| it.borrow_mut().take()).unwrap_or_default();
+    let broken = ended.err().map(|payload| {
+        let text = payload.downcast_ref::<&str>().map(|text| text.to_string());
+        let message = text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default();
+        Broken { message, place }
+    });
+    Answer { steps, broken }
+}
+
+/// `cargo run`: shows what the code makes of its cases, up to the first value that is wrong, and says what to do next.
+/// With `--probe CASES ANSWERS` it writes answers to the cases of one file into another, for whoever judges.
+pub fn main(work: Work) -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => done(show(work, &mut io::stdout().lock())),
+        ["--probe", cases, answers] => done(answer(work.probe, cases, answers)),
+        _ => {
+            eprintln!("error: this takes no arguments: what it can do is in README.md");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn done(ended: io::Result<()>) -> ExitCode {
+    match ended {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+        _ => ExitCode::SUCCESS,
+    }
+}
+
+/// `cargo test`: the rows of one property.
+///
+/// # Panics
+/// Where a value is wrong, with what was expected. (A test fails by a panic.)
+pub fn test(work: Work, property: &str) {
+    let sheet = sheet(work).expect("the hand-out's own expected.txt is whole");
+    for (number, row) in sheet.rows.iter().enumerate() {
+        if sheet.properties[row.property].name == property {
+            let answer = run(work.probe, &sheet.case(number));
+            if let Some(wrong) = first_wrong_step(&row.steps, &answer) {
+                panic!("\n{}", told(&sheet, &Wrong { row: number, ..wrong }, &answer));
+            }
+        }
+    }
+}
+
+fn sheet(work: Work) -> io::Result<Sheet> {
+    let broken = |line| io::Error::other(format!("expected.txt, line {line} is not as it was handed out"));
+    Sheet::from_text(work.sheet).map_err(broken)
+}
+
+fn answer(probe: Probe, cases: &str, answers: &str) -> io::Result<()> {
+    let sheet = Sheet::from_text(&fs::read_to_string(cases)?);
+    let sheet = sheet.map_err(|line| io::Error::other(format!("{cases}, line {line} is no case")))?;
+    let mut file = File::create(answers)?;
+    for row in 0..sheet.rows.len() {
+        // one case after the other: where the code never comes back, what it did before counts
+        file.write_all(run(probe, &sheet.case(row)).to_text(row).as_bytes())?;
+    }
+    Ok(())
+}
+
+fn show(work: Work, output: &mut dyn Write) -> io::Result<()> {
+    let sheet = sheet(work)?;
+    writeln!(output, "{}\n", sheet.exercise)?;
+    for (number, row) in sheet.rows.iter().enumerate() {
+        let answer = run(work.probe, &sheet.case(number));
+        let wrong = first_wrong_step(&row.steps, &answer);
+        let right = wrong.as_ref().map_or(row.steps.0.len(), |wrong| wrong.step);
+        let property = &sheet.properties[row.property].name;
+        writeln!(output, "{property}\n  given {}", sheet.case(number))?;
+        write!(output, "{}", lines(&answer.steps.0[..right.min(answer.steps.0.len())]))?;
+        if let Some(wrong) = wrong {
+            let wrong = Wrong { row: number, ..wrong };
+            return writeln!(output, "\n{}", next(&sheet, &wrong, &answer));
+        }
+        writeln!(output)?;
+    }
+    writeln!(output, "Every value is as it should be. Next: cargo test, then hand it in (README.md).")
+}
+
+/// What to do after a step that is wrong.
+fn next(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> String {
+    if let Some(Broken { message, place }) = answer.broken.as_ref().filter(|_| wrong.broken.is_some())
+        && let Some(question) = message.strip_prefix("not yet implemented: ")
+    {
+        return format!("Next: {place} asks:\n  {question}");
+    }
+    format!("Here it goes wrong.\n{}", told(sheet, wrong, answer))
+}
+
+/// A wrong step in words, some lines without an end of the last: `answer` is what the code made of its row.
+pub fn told(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> String {
+    let property = &sheet.properties[sheet.rows[wrong.row].property].name;
+    let mut text = format!("  property  {property}\n  given     {}\n", sheet.case(wrong.row));
+    text += &match &wrong.expected {
+        Some(step) => {
+            format!("  symbol    {}\n  formula   {}\n  expected  {}\n", step.symbol, step.formula, step.value)
+        }
+        None => "  expected  nothing more\n".to_string(),
+    };
+    text += &match (&wrong.got, answer.broken.as_ref().filter(|_| wrong.broken.is_some())) {
+        (Some(got), _) => format!("  got       {got}"),
+        (None, Some(Broken { message, place })) if place.is_empty() => {
+            format!("  got       nothing: {message}")
+        }
+        (None, Some(Broken { message, place })) => format!("  got       a panic at {place}: {message}"),
+        (None, None) => "  got       nothing".to_string(),
+    };
+    if let Some(ulps) = wrong.ulps.filter(|ulps| ulps.is_finite()) {
+        let ulps = if ulps < 1e6 { format!("{ulps:.0}") } else { format!("{ulps:.0e}") };
+        text += &format!("\n  off by    {ulps} ulps (units of the last digit)");
+    }
+    text
+}
+
+/// Steps as lines: symbol, formula, value.
+pub fn lines(steps: &[Step]) -> String {
+    let widest = |of: fn(&Step) -> &str| steps.iter().map(|step| of(step).chars().count()).max().unwrap_or(0);
+    let (symbol, formula) = (widest(|step| &step.symbol), widest(|step| &step.formula));
+    let line =
+        |step: &Step| format!("  {:symbol$}  {:formula$}  {}\n", step.symbol, step.formula, step.value);
+    steps.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHEET: &str = "exercise\tdouble/it\ncolumns\tx\nproperty\tpositive\t1\ncase\t2.0\nstep\ty\t2 x\tnumber\t4.0\t0.0\n\
+                         property\tnegative\t1\ncase\t-3.0\nstep\ty\t2 x\tnumber\t-6.0\t0.0\n";
+
+    fn shown(probe: Probe) -> String {
+        let mut output = Vec::new();
+        show(Work { sheet: SHEET, probe }, &mut output).unwrap();
+        String::from_utf8(output).unwrap()
+    }
+
+    fn asks(_: &Case, _: &mut Steps) {
+        todo!("What is twice x?")
+    }
+
+    #[test]
+    fn an_untouched_hole_asks_its_question() {
+        let text = shown(asks);
+        assert!(text.contains("asks:\n  What is twice x?"), "{text}");
+        assert!(text.contains("program.rs:"), "{text}");
+    }
+
+    #[test]
+    fn it_stops_at_the_first_value_that_is_wrong() {
+        let text = shown(|case, steps| {
+            steps.number("y", "2 x", (case.number("x") * 2.0).abs());
+        });
+        for line in
+            ["positive\n", "  y  2 x  4\n", "given     x = −3", "expected  −6", "got       6", "off by"]
+        {
+            assert!(text.contains(line), "{line} is not in\n{text}");
+        }
+        let text = shown(|case, steps| {
+            steps.number("y", "2 x", case.number("x") * 2.0);
+        });
+        assert!(text.contains("Every value"), "{text}");
+    }
+
+    #[test]
+    fn a_property_is_tested_by_itself() {
+        let probe: Probe = |case, steps| {
+            steps.number("y", "2 x", (case.number("x") * 2.0).abs());
+        };
+        test(Work { sheet: SHEET, probe }, "positive");
+        let failed = panic::catch_unwind(|| test(Work { sheet: SHEET, probe }, "negative"));
+        let message = failed.unwrap_err().downcast_ref::<String>().cloned().unwrap();
+        assert!(message.contains("property  negative"), "{message}");
+    }
+}
