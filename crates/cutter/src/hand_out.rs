@@ -1,0 +1,107 @@
+//! What a student gets.
+
+use crate::given::{QUIET, given};
+use crate::source::Files;
+use crate::{Manifest, Source};
+
+/// The files of a hand-out: a project that stands alone.
+///
+/// `expected` is the sheet with what it should find in the cases that it is shown, `transcript` the same for reading.
+pub fn hand_out(
+    manifest: &Manifest,
+    source: &Source,
+    expected: String,
+    transcript: &str,
+) -> Result<Files, String> {
+    let given = given(source, &manifest.folder)?;
+    let mut files = Files::new();
+    for (path, text) in given.files(source)? {
+        files.insert(format!("given/{path}"), text);
+    }
+    for (path, text) in source.whole("crates/exercise/src", "lib.rs")? {
+        files.insert(format!("given/exercise/src/{path}"), text);
+    }
+    files.insert("given/exercise/Cargo.toml".into(), kit());
+    for (path, text) in manifest.library(source, &manifest.questions())? {
+        files.insert(format!("src/{path}"), text);
+    }
+    let about = format!(
+        "//! {}: what of the chapter `{}` goes with it. Your part is in {}.\n\n",
+        manifest.name, manifest.chapter, manifest.file
+    );
+    let lib = files.entry("src/lib.rs".into()).or_default();
+    *lib = format!("{about}{lib}{WORK}");
+    let library = manifest.chapter.replace('-', "_");
+    files.insert("src/main.rs".into(), MAIN.replace("LIBRARY", &library));
+    files.insert("tests/properties.rs".into(), tests(manifest, &library));
+    files.insert("expected.txt".into(), expected);
+    files.insert("Cargo.toml".into(), cargo(manifest, &given.dependencies(&manifest.chapter, "given/")));
+    files.insert("Cargo.lock".into(), source.read("Cargo.lock")?);
+    files.insert(".gitignore".into(), "/target\n".into());
+    files.insert("README.md".into(), readme(manifest, source, transcript)?);
+    Ok(files)
+}
+
+const WORK: &str = "\n/// What `cargo run` shows and `cargo test` tests.\n\
+    pub const WORK: exercise::Work = exercise::Work { sheet: include_str!(\"../expected.txt\"), probe: probe::probe };\n";
+
+const MAIN: &str = "//! `cargo run`: the values of your code, up to the first that is wrong.\n\n\
+    fn main() -> std::process::ExitCode {\n    exercise::main(LIBRARY::WORK)\n}\n";
+
+fn kit() -> String {
+    format!(
+        "[package]\nname = \"exercise\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n\
+         [lints.rust]\n{QUIET}"
+    )
+}
+
+fn cargo(manifest: &Manifest, dependencies: &str) -> String {
+    format!(
+        "# {}. There is nothing to change here: when it is checked, this file is written anew.\n\
+         [package]\nname = \"{}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\nautobins = false\n\n\
+         [[bin]]\nname = \"{}\"\npath = \"src/main.rs\"\n\n[workspace]\n\n[dependencies]\nexercise = {{ path = \"given/exercise\" }}\n{dependencies}\n\
+         [lints.rust]\n{QUIET}",
+        manifest.name, manifest.chapter, manifest.chapter
+    )
+}
+
+fn tests(manifest: &Manifest, library: &str) -> String {
+    let mut text = "//! `cargo test`: what your code should be right about, one by one.\n".to_string();
+    for property in &manifest.properties {
+        let name = property.name.replace(|sign: char| !sign.is_ascii_alphanumeric(), "_").to_lowercase();
+        let name =
+            if name.starts_with(|sign: char| sign.is_ascii_digit()) { format!("p{name}") } else { name };
+        text += &format!(
+            "\n#[test]\nfn {name}() {{\n    exercise::test({library}::WORK, {:?});\n}}\n",
+            property.name
+        );
+    }
+    text
+}
+
+fn readme(manifest: &Manifest, source: &Source, transcript: &str) -> Result<String, String> {
+    let Manifest { title, name, page, minutes, task, file, predict, properties, .. } = manifest;
+    let mut text = format!(
+        "# {title}\n\n`{name}` · {page} · about {minutes} minutes\n\n{task}\n\n## Before you start\n\n{}\n\nWrite your \
+         answer down; then see.\n\n## What to do\n\n`src/{file}` asks, where it says `todo!`:\n\n",
+        predict.0
+    );
+    for region in manifest.regions(source)? {
+        text += &format!("- {}\n", region.question);
+    }
+    text += &format!(
+        "\nPut your lines in place of each `todo!`. Helpers of your own may go into that file or into new ones in `src/`.\n\n\
+         ```sh\ncargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
+         cargo test    # what your code should be right about, one by one\n```\n\n\
+         With the workbench at hand, `workbench check .` (there: `cargo run --release -- check FOLDER`) tries cases that \
+         are not shown here and knows mistakes by name.\n\n## What it should print\n\n```text\n{transcript}```\n\n\
+         ## How it is graded\n\n| property | points |\n| --- | --- |\n"
+    );
+    for property in properties {
+        text += &format!("| {} | {} |\n", property.name, property.points);
+    }
+    text += "\nA property counts as a whole, on these cases and on others. Numbers may be off by roundings: any algebra \
+             that is right will do. Only `src/` is looked at; `Cargo.toml`, `given/`, `tests/`, `src/lib.rs`, `src/main.rs` \
+             and `src/probe.rs` are put there anew.\n";
+    Ok(text)
+}

@@ -1,0 +1,27 @@
+//! Cuts an exercise from the very code that the stage runs, so that there is no second copy of a chapter.
+//!
+//! In a chapter's file two comments mark a region:
+//!
+//! ```text
+//! // exercise t_close: How far along the ray is the point nearest to the center?
+//! let t_close = u_r.dot(c - p_r);
+//! // end t_close
+//! ```
+//!
+//! [`cut`](mod@cut) takes regions out and puts a question, or another solution, in their place. [`slice`] takes from the rest of
+//! the chapter what the region needs and nothing else. A [`Manifest`], a TOML file in the chapter's folder `exercises`,
+//! says which regions and which rest, and knows the mistakes that are often made. [`hand_out`] writes a project for
+//! a student; [`modules`] writes the reference solution, the mistakes and other solutions as modules of one crate.
+
+pub mod cut;
+pub mod given;
+pub mod hand_out;
+pub mod manifest;
+pub mod modules;
+pub mod slice;
+pub mod source;
+
+pub use cut::{Filling, cut, statements};
+pub use hand_out::hand_out;
+pub use manifest::{Manifest, Mistake};
+pub use source::Source;

@@ -1,0 +1,250 @@
+//! What an exercise is: a TOML file in the chapter's folder `exercises`.
+
+use std::collections::BTreeMap;
+
+use toml::{Table, Value};
+
+use crate::slice::{self, Part};
+use crate::source::Files;
+use crate::{Filling, Source, cut};
+
+/// An exercise.
+#[derive(Clone, Debug)]
+pub struct Manifest {
+    /// `ray-sphere/closest-approach`
+    pub name: String,
+    /// `ray-sphere`
+    pub chapter: String,
+    /// `chapters/04-ray-sphere`
+    pub folder: String,
+    /// What is to be done, in a line.
+    pub title: String,
+    /// The page of the notes.
+    pub page: String,
+    /// How long it takes.
+    pub minutes: u32,
+    /// What it teaches.
+    pub teaches: String,
+    /// A question to answer before anything runs, and its answer.
+    pub predict: (String, String),
+    /// What a student is told, in some sentences.
+    pub task: String,
+    /// The file with the regions, in the chapter's `src`: `closest_approach.rs`.
+    pub file: String,
+    /// The names of the regions that become holes.
+    pub holes: Vec<String>,
+    /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`].
+    pub brings: BTreeMap<String, Part>,
+    /// The names of a case's numbers.
+    pub columns: Vec<String>,
+    /// What an answer can be right about.
+    pub properties: Vec<Asked>,
+    /// What is often done wrong, at least four.
+    pub mistakes: Vec<Mistake>,
+    /// Right solutions in other algebra.
+    pub others: Vec<Fillings>,
+}
+
+/// A property with its cases.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// "from inside"
+    pub name: String,
+    /// What it counts.
+    pub points: u32,
+    /// The cases; the first one goes along with the hand-out.
+    pub cases: Vec<Vec<f64>>,
+}
+
+/// A mistake that is known.
+#[derive(Clone, Debug)]
+pub struct Mistake {
+    /// `far-root`
+    pub name: String,
+    /// The sentence that helps.
+    pub says: String,
+    /// How it is made: by its values it is recognized.
+    pub model: Fillings,
+    /// The same written independently.
+    pub again: Vec<Fillings>,
+}
+
+/// The lines for each hole, by its name.
+pub type Fillings = BTreeMap<String, Filling>;
+
+impl Manifest {
+    /// Every exercise of a checkout, in the order of the book.
+    pub fn all(source: &Source) -> Result<Vec<Manifest>, String> {
+        let mut all = Vec::new();
+        for chapter in source.list("chapters", "")? {
+            let folder = format!("chapters/{chapter}");
+            let mut here = Vec::new();
+            for file in source.list(&format!("{folder}/exercises"), ".toml")? {
+                here.push(Manifest::read(source, &folder, file.trim_end_matches(".toml"))?);
+            }
+            // within a chapter, by their length: the short ones first
+            here.sort_by_key(|it| it.minutes);
+            all.extend(here);
+        }
+        Ok(all)
+    }
+
+    /// Reads `exercises/NAME.toml` of a chapter's folder.
+    pub fn read(source: &Source, folder: &str, name: &str) -> Result<Manifest, String> {
+        let path = format!("{folder}/exercises/{name}.toml");
+        let text = source.read(&path)?;
+        let table: Table = text.parse().map_err(|error| format!("{path}: {error}"))?;
+        manifest(&table, folder, name).map_err(|error| format!("{path}: {error}"))
+    }
+
+    /// The path of its probe in the checkout.
+    pub fn probe(&self) -> String {
+        let name = self.name.rsplit('/').next().unwrap_or_default().replace('-', "_");
+        format!("{}/exercises/{name}.rs", self.folder)
+    }
+
+    /// The library of the exercise, with its holes filled, and its probe: the files of `src`.
+    pub fn library(&self, source: &Source, fillings: &Fillings) -> Result<Files, String> {
+        let src = format!("{}/src", self.folder);
+        let mut files = Files::new();
+        let mut modules = vec![module_of(&self.file)];
+        for (file, part) in self.brings.iter().filter(|(file, _)| *file != "lib.rs") {
+            modules.push(module_of(file));
+            source.add(&src, file, part, &Fillings::new(), &mut files)?;
+        }
+        source.add(&src, &self.file, &Part::All, fillings, &mut files)?;
+        let names = match self.brings.get("lib.rs") {
+            Some(Part::Items(names)) => names.as_slice(),
+            _ => &[],
+        };
+        let lib = cut(&source.read(&format!("{src}/lib.rs"))?, &Fillings::new())?;
+        let lib = slice::items(&lib, names, &modules).map_err(|error| format!("{src}/lib.rs: {error}"))?;
+        files.insert("lib.rs".into(), format!("{}\npub mod probe;\n", lib.text));
+        files.insert("probe.rs".into(), source.read(&self.probe())?);
+        Ok(files)
+    }
+
+    /// The regions that become holes.
+    pub fn regions(&self, source: &Source) -> Result<Vec<cut::Region>, String> {
+        let path = format!("{}/src/{}", self.folder, self.file);
+        let regions = cut::regions(&source.read(&path)?).map_err(|error| format!("{path}: {error}"))?;
+        let find = |name: &String| {
+            let region = regions.iter().find(|region| region.name == *name).cloned();
+            region.ok_or(format!("{path}: there is no `// exercise {name}`"))
+        };
+        self.holes.iter().map(find).collect()
+    }
+
+    /// A question in every hole.
+    pub fn questions(&self) -> Fillings {
+        self.holes.iter().map(|name| (name.clone(), Filling::Question)).collect()
+    }
+}
+
+/// The top module of a file of `src`.
+fn module_of(file: &str) -> String {
+    file.trim_end_matches(".rs").split('/').next().unwrap_or_default().to_string()
+}
+
+fn manifest(table: &Table, folder: &str, name: &str) -> Result<Manifest, String> {
+    let chapter = folder.trim_start_matches("chapters/").get(3..).unwrap_or_default().to_string();
+    let predict = get(table, "predict")?.as_table().ok_or("`predict` has a question and an answer")?;
+    let holes = strings(table, "holes")?;
+    let brings = get(table, "brings")?.as_table().ok_or("`brings` is a table of files")?;
+    let part = |(file, part): (&String, &Value)| match part {
+        Value::String(all) if all == "all" => Ok((format!("{file}.rs"), Part::All)),
+        Value::Array(_) => Ok((format!("{file}.rs"), Part::Items(strings(brings, file)?))),
+        _ => Err(format!("`brings.{file}` is \"all\" or a list of items")),
+    };
+    let columns: Vec<String> = strings(table, "columns")?;
+    let properties =
+        tables(table, "property")?.map(|it| asked(it, columns.len())).collect::<Result<_, _>>()?;
+    let mistakes = tables(table, "mistake")?.map(|it| mistake(it, &holes)).collect::<Result<_, _>>()?;
+    let others = get(table, "others")?.as_array().ok_or("`others` is a list of solutions")?;
+    Ok(Manifest {
+        name: format!("{chapter}/{name}"),
+        chapter,
+        folder: folder.to_string(),
+        title: string(table, "title")?,
+        page: string(table, "page")?,
+        minutes: whole(table, "minutes")?,
+        teaches: string(table, "teaches")?,
+        predict: (string(predict, "question")?, string(predict, "answer")?),
+        task: string(table, "task")?,
+        file: string(table, "file")? + ".rs",
+        brings: brings.iter().map(part).collect::<Result<_, _>>()?,
+        columns,
+        properties,
+        mistakes,
+        others: others.iter().map(|it| fillings(it, &holes)).collect::<Result<_, _>>()?,
+        holes,
+    })
+}
+
+fn asked(table: &Table, columns: usize) -> Result<Asked, String> {
+    let name = string(table, "name")?;
+    let rows = get(table, "cases")?.as_array().ok_or("`cases` is a list of cases")?;
+    let number = |value: &Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
+    let case = |row: &Value| {
+        let numbers = row.as_array()?.iter().map(number).collect::<Option<Vec<f64>>>()?;
+        (numbers.len() == columns).then_some(numbers)
+    };
+    let cases = rows.iter().map(case).collect::<Option<Vec<_>>>();
+    let cases =
+        cases.ok_or(format!("property {name}: a case is {columns} numbers, a number for each column"))?;
+    Ok(Asked { name, points: whole(table, "points")?, cases })
+}
+
+fn mistake(table: &Table, holes: &[String]) -> Result<Mistake, String> {
+    let again = get(table, "again")?.as_array().ok_or("`again` is a list of solutions")?;
+    Ok(Mistake {
+        name: string(table, "name")?,
+        says: string(table, "says")?,
+        model: fillings(get(table, "model")?, holes)?,
+        again: again.iter().map(|it| fillings(it, holes)).collect::<Result<_, _>>()?,
+    })
+}
+
+/// The lines for the only hole, or a table of lines for some of the holes; the others stay as the chapter has them.
+fn fillings(value: &Value, holes: &[String]) -> Result<Fillings, String> {
+    match value {
+        Value::String(lines) if holes.len() == 1 => {
+            Ok([(holes[0].clone(), Filling::Lines(lines.clone()))].into_iter().collect())
+        }
+        Value::Table(table) => {
+            let filling = |(name, lines): (&String, &Value)| {
+                let lines = lines.as_str().filter(|_| holes.contains(name));
+                let lines = lines.ok_or(format!("a solution has lines for {name}, which is no hole"))?;
+                Ok((name.clone(), Filling::Lines(lines.to_string())))
+            };
+            table.iter().map(filling).collect()
+        }
+        _ => Err("a solution is the lines for the only hole, or a table: { hole = \"lines\" }".to_string()),
+    }
+}
+
+fn get<'a>(table: &'a Table, key: &str) -> Result<&'a Value, String> {
+    table.get(key).ok_or(format!("`{key}` is missing"))
+}
+
+fn string(table: &Table, key: &str) -> Result<String, String> {
+    get(table, key)?.as_str().map(|text| text.trim().to_string()).ok_or(format!("`{key}` is a text"))
+}
+
+fn strings(table: &Table, key: &str) -> Result<Vec<String>, String> {
+    let texts = get(table, key)?.as_array().and_then(|array| {
+        array.iter().map(|value| value.as_str().map(String::from)).collect::<Option<Vec<_>>>()
+    });
+    texts.ok_or(format!("`{key}` is a list of texts"))
+}
+
+fn whole(table: &Table, key: &str) -> Result<u32, String> {
+    let number = get(table, key)?.as_integer().and_then(|number| u32::try_from(number).ok());
+    number.ok_or(format!("`{key}` is a whole number"))
+}
+
+fn tables<'a>(table: &'a Table, key: &str) -> Result<impl Iterator<Item = &'a Table>, String> {
+    let list = get(table, key)?.as_array().filter(|list| list.iter().all(Value::is_table));
+    let list = list.ok_or(format!("`{key}` is a list of tables: [[{key}]]"))?;
+    Ok(list.iter().filter_map(Value::as_table))
+}
