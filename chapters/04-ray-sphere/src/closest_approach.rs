@@ -49,12 +49,16 @@ fn along<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, length: R, u_r: R::Vec3) ->
     let (p_r, c, r) = (ray.origin, sphere.center, sphere.radius);
 
     // The nearest point to the center is where c − p_r projects onto the ray.
+    // exercise t_close: How long is the shadow that c − p_r casts on the ray?
     let t_close = u_r.dot(c - p_r);
+    // end t_close
     let x_close = p_r + u_r * t_close;
 
     // Pythagoras: a² + d² = r².
     let d = (x_close - c).length();
+    // exercise a: The radius to the surface, d and a make a right triangle: how long is a, and when is there none?
     let a = if d <= r { Some((r * r - d * d).sqrt()) } else { None };
+    // end a
 
     ClosestApproach { ray: *ray, sphere: *sphere, length, u_r, t_close, x_close, d, a }
 }
@@ -63,7 +67,9 @@ impl<R: Real> ClosestApproach<R> {
     /// t_close ± a, as distances along the ray; `None` for a miss.
     #[inline]
     pub fn distances(&self) -> Option<Roots<R>> {
+        // exercise distances: Where does the ray enter, and where does it leave?
         self.a.map(|a| Roots { near: self.t_close - a, far: self.t_close + a })
+        // end distances
     }
 
     /// The same in lengths of the direction as given.

@@ -46,7 +46,7 @@ pub fn finish(result: Result<(), Error>) -> ExitCode {
     let Err(error) = result else {
         return ExitCode::SUCCESS;
     };
-    if error.status() != 0 {
+    if error.status() != 0 && !matches!(error, Error::NotYet) {
         // Standard error may be closed as well; then there is nobody to tell.
         let _ = writeln!(io::stderr(), "error: {error}");
     }

@@ -11,6 +11,8 @@ pub enum Error {
     Request(String),
     /// It could not be done (a file not writable, a disk full): exit status 1.
     Failed(String),
+    /// What was looked at is not right yet, and that has been said: nothing to add, exit status 1.
+    NotYet,
     /// The reader of the output went away, as `head` does: nothing to say, exit status 0.
     PipeClosed,
 }
@@ -20,7 +22,7 @@ impl Error {
     pub fn status(&self) -> u8 {
         match self {
             Error::Request(_) => 2,
-            Error::Failed(_) => 1,
+            Error::Failed(_) | Error::NotYet => 1,
             Error::PipeClosed => 0,
         }
     }
@@ -38,6 +40,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Error::Request(text) | Error::Failed(text) => f.write_str(text),
+            Error::NotYet => f.write_str("it is not right yet"),
             Error::PipeClosed => f.write_str("the reader of the output went away"),
         }
     }

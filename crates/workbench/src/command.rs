@@ -30,9 +30,25 @@ pub fn main() -> ExitCode {
 /// Does what a command line asks, and writes the answer to `output`.
 pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> {
     match matches.subcommand() {
-        Some(("list", matches)) => {
-            let json = matches.get_one::<String>("format").is_some_and(|format| format == "json");
-            list(stages::ALL, json, output)
+        Some(("list", matches)) => list(stages::ALL, json(matches), output),
+        Some(("exercise", matches)) => match matches.subcommand() {
+            Some(("start", matches)) => {
+                let name = matches.get_one::<String>("exercise").map(String::as_str).unwrap_or_default();
+                let short = name.replace('/', "-");
+                let into =
+                    matches.get_one::<PathBuf>("into").cloned().unwrap_or_else(|| PathBuf::from(short));
+                homework::start(name, &into, output)
+            }
+            Some((_, matches)) => homework::list(json(matches), output),
+            None => homework::list(false, output),
+        },
+        Some(("check", matches)) => {
+            let attempt =
+                matches.get_one::<PathBuf>("attempt").cloned().unwrap_or_else(|| PathBuf::from("."));
+            match homework::check(&attempt, output)? {
+                true => Ok(()),
+                false => Err(Error::NotYet),
+            }
         }
         Some((_, matches)) => {
             let names = matches.get_many::<String>("stage").unwrap_or_default();
@@ -43,7 +59,11 @@ pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> 
     }
 }
 
-/// The command line: `run`, which is also what no verb means, and `list`.
+fn json(matches: &ArgMatches) -> bool {
+    matches.get_one::<String>("format").is_some_and(|format| format == "json")
+}
+
+/// The command line: `run`, which is also what no verb means, `list`, and what a course needs.
 pub fn command() -> Command {
     let run = Command::new("run")
         .about("Run stages on the worked examples of the notes (the default)")
@@ -60,13 +80,36 @@ pub fn command() -> Command {
         );
     let list = Command::new("list")
         .about("Say what each stage teaches, and which pages of the notes it follows")
+        .arg(format("How the stages are listed"));
+    let start = Command::new("start")
+        .about("Write a hand-out: a project of its own, with holes to fill in")
         .arg(
-            Arg::new("format")
-                .long("format")
-                .value_name("FORMAT")
-                .value_parser(["text", "json"])
-                .default_value("text")
-                .help("How the stages are listed"),
+            Arg::new("exercise")
+                .value_name("STAGE/EXERCISE")
+                .required(true)
+                .help("As `exercise list` names it"),
+        )
+        .arg(
+            Arg::new("into")
+                .long("into")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .help("A new folder for it [default: STAGE-EXERCISE]"),
+        );
+    let exercise = Command::new("exercise").about("List the exercises, or hand one out").subcommands([
+        Command::new("list")
+            .about("Say what exercises there are")
+            .arg(format("How the exercises are listed")),
+        start,
+    ]);
+    let check = Command::new("check")
+        .about("Build and run an attempt at an exercise, and say which value is wrong first")
+        .after_help("Exit status: 0 all is right, 1 it is not or does not compile, 2 the request was wrong")
+        .arg(
+            Arg::new("attempt")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .help("The folder of the hand-out [default: .]"),
         );
     Command::new("workbench")
         .bin_name("workbench")
@@ -76,8 +119,17 @@ pub fn command() -> Command {
              Exit status: 0 done, 1 it could not be done, 2 the request was wrong",
         )
         .disable_help_subcommand(true)
-        .subcommands([run, list])
+        .subcommands([run, list, exercise, check])
         .arg(out().global(true))
+}
+
+fn format(help: &'static str) -> Arg {
+    Arg::new("format")
+        .long("format")
+        .value_name("FORMAT")
+        .value_parser(["text", "json"])
+        .default_value("text")
+        .help(help)
 }
 
 fn out() -> Arg {

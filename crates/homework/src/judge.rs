@@ -1,0 +1,62 @@
+//! What an attempt is worth, and which mistake it makes.
+
+use exercise::{Answer, Sheet, Wrong, first_wrong, first_wrong_step};
+
+use crate::{Exercise, Known, sheet};
+
+/// What an attempt is worth.
+#[derive(Clone, Debug)]
+pub struct Verdict<'a> {
+    /// For each property, whether all its cases are right.
+    pub right: Vec<bool>,
+    /// The first value that is wrong.
+    pub wrong: Option<Wrong>,
+    /// The mistake that it makes, if it is a known one.
+    pub mistake: Option<&'a Known>,
+    /// The points it earns.
+    pub earned: u32,
+}
+
+/// Judges the answers to all cases of an exercise, in the order of [`Exercise::sheet`].
+pub fn judge<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> Verdict<'a> {
+    let mut right = vec![true; sheet.properties.len()];
+    for (row, asked) in sheet.rows.iter().enumerate() {
+        right[asked.property] &= wrong_step(sheet, answers, row).is_none();
+    }
+    let earned =
+        sheet.properties.iter().zip(&right).filter(|(_, right)| **right).map(|(it, _)| it.points).sum();
+    let wrong = first_wrong(sheet, answers);
+    let mistake = wrong.as_ref().and_then(|_| recognize(exercise, sheet, answers));
+    Verdict { right, wrong, mistake, earned }
+}
+
+/// The known mistake that explains the answers: what is right is right with the mistake too, and in every case that is
+/// wrong the first wrong value is the one that the mistake leads to.
+fn recognize<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> Option<&'a Known> {
+    exercise.mistakes.iter().find(|known| {
+        let mistaken = mistaken(exercise, known);
+        (0..sheet.rows.len()).all(|row| {
+            let Some(wrong) = wrong_step(sheet, answers, row) else {
+                let steps = Answer { steps: mistaken.rows[row].steps.clone(), broken: None };
+                return first_wrong_step(&sheet.rows[row].steps, &steps).is_none();
+            };
+            let (made, got) = (mistaken.rows[row].steps.0.get(wrong.step), wrong.got);
+            let symbol = answers[row].steps.0.get(wrong.step).map(|step| &step.symbol);
+            match (made, got) {
+                (Some(made), Some(got)) => {
+                    Some(&made.symbol) == symbol && made.value.is_met_by(&got, &made.tolerance)
+                }
+                _ => false,
+            }
+        })
+    })
+}
+
+/// What a mistake leads to, with the tolerances of its own formulas.
+fn mistaken(exercise: &Exercise, known: &Known) -> Sheet {
+    sheet(&exercise.manifest, known.probe, usize::MAX)
+}
+
+fn wrong_step(sheet: &Sheet, answers: &[Answer], row: usize) -> Option<Wrong> {
+    first_wrong_step(&sheet.rows[row].steps, answers.get(row).unwrap_or(&Answer::default()))
+}
