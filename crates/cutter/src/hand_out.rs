@@ -90,7 +90,7 @@ fn readme(manifest: &Manifest, source: &Source, transcript: &str) -> Result<Stri
         text += &format!("- {}\n", region.question);
     }
     text += &format!(
-        "\nPut your lines in place of each `todo!`. Helpers of your own may go into that file or into new ones in `src/`.\n\n\
+        "\nPut your lines in place of each `todo!`. Helpers of your own may go into that file, or into modules below it.\n\n\
          ```sh\ncargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
          cargo test    # what your code should be right about, one by one\n```\n\n\
          With the workbench at hand, `workbench check .` (there: `cargo run --release -- check FOLDER`) tries cases that \
