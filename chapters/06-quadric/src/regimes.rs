@@ -83,7 +83,9 @@ pub fn regimes() -> Vec<Regime<7>> {
             name: "cone-axial",
             what: "along the axis exactly, in eighths",
             draw: |draw| axial(draw, Cone),
-            notes: Hold("every number on the way is a multiple of a power of two, and exact"),
+            notes: Hold(
+                "what is rounded, root and quotients, cancels two digits and not more: 7 comes no nearer to √50",
+            ),
         },
         Regime {
             name: "cone-slope-exact",

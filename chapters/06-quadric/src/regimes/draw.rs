@@ -94,10 +94,12 @@ pub(super) fn unnormalized(draw: &mut Draw) -> [f64; 7] {
     ordinary_of(draw, shape, length)
 }
 
-/// Away from the solid.
+/// Away from the solid, from a unit farther: from what is aimed at no point of the solid is as far as 4, for
+/// 1.4 √3 + √2 = 3.84.
 pub(super) fn behind(draw: &mut Draw) -> [f64; 7] {
     let shape = either(draw);
-    ordinary_of(draw, shape, -1.0)
+    let (target, direction) = (about(draw, shape), draw.direction());
+    case(aimed(draw, target, direction) - direction, -direction, shape)
 }
 
 /// From within, but not from next to the surface.
@@ -105,7 +107,8 @@ pub(super) fn inside(draw: &mut Draw, shape: Shape) -> [f64; 7] {
     case(within(draw, shape), draw.direction(), shape)
 }
 
-/// Aimed at a point of the rim, rounded; one case in four in whole numbers and halves, at a point that is on it.
+/// Aimed at a point of the rim, rounded; one case in four in whole numbers and halves, at a point that is on
+/// it.
 pub(super) fn rim(draw: &mut Draw, shape: Shape) -> [f64; 7] {
     let z = cap_height(draw, shape);
     let radius = radius(shape, z);
@@ -222,7 +225,8 @@ pub(super) fn on_surface_exact(draw: &mut Draw, shape: Shape) -> [f64; 7] {
         // Within a cap, where only z matters.
         return case(on_cap(draw, shape) * f64::vec3(0.9, 0.9, 1.0), draw.direction(), shape);
     }
-    // No other points of the circle than its four ends have coordinates that are floats; the cone has some more.
+    // No other points of the circle than its four ends have coordinates that are floats; the cone has some
+    // more.
     let ([x, y, radius], z) = match shape {
         Shape::Cylinder => ([1.0, 0.0, 1.0], draw.uniform(-1.0, 1.0)),
         Shape::Cone => {
