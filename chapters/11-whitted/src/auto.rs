@@ -1,29 +1,31 @@
 //! `--precision auto`: f32 where nothing visible is lost, found out on some of the scene's own rays.
 //!
-//! Pixels drawn from all of the picture are traced in both precisions with all their second rays, and the edges beside them
-//! are found to the last digits of f32 (see [`sample`]): how far off f32 puts them tells how many pixels of the picture will
-//! be on the wrong side. A picture that is small is traced as a whole. f32 is taken where no traced pixel has a channel that
-//! is off by more than one level of 255, and of the whole picture no pixel is expected to. By one level two radiances can
-//! differ that are the same but for the last digits, where one is rounded up and the other down.
+//! Pixels drawn from all of the picture are traced in both precisions with all their rays, as many as
+//! `--samples` asks for, and the edges beside them are found to the last digits of f32 (see [`sample`]): how
+//! far off f32 puts them tells how many pixels of the picture will be on the wrong side (see [`edges`]). A
+//! picture that is small is traced as a whole. f32 is taken where no traced pixel has a channel that is off
+//! by more than one level of 255, and where of the whole picture, with 95 % certainty, so few pixels are
+//! expected to be that there most likely is none. By one level two radiances can differ that are the same but
+//! for the last digits, where one is rounded up and the other down.
 //!
-//! What no sampled pixel sees is not known, and what is said is no more than what was measured.
+//! What no ray of the sample sees is not known, and what is said is no more than what was measured.
 
+mod edges;
 mod rays;
 mod sample;
 
 use bounds::Parts;
 use math::Real;
+use shading::Rgb;
 use signature::Method;
 use signature::stage::fault;
-use stage::{Ask, Color, Error, Precision, Transcript, Value, Workers, tiled};
+use stage::{Ask, Chosen, Color, Error, Precision, Section, Value, Workers, tiled};
 
 use crate::show::whole;
 use crate::{Path, Requirements, Tolerance, Tracer, from_file, render};
+use edges::{Asked, FEW};
 use rays::Rays;
-use sample::{Edge, Place, Seen, SeenIn};
-
-/// Fewer pixels than this are none, as numbers are rounded.
-const NONE: f64 = 0.5;
+use sample::{Place, Seen, SeenIn};
 
 /// What f32 would get wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,9 +36,10 @@ pub(crate) struct Found {
     pub(crate) is_whole: bool,
     /// Of the pixels that were drawn.
     pub(crate) drawn: Differences,
-    /// How many of them have an edge beside them.
+    /// How many edges are beside them, to the right and below.
     pub(crate) edges: u64,
-    /// How many pixels of the picture are visibly others because f32 puts an edge elsewhere, as far as these edges tell.
+    /// How many pixels of the picture are visibly others because f32 puts an edge elsewhere: with 95 %
+    /// certainty no more than this are to be expected.
     pub(crate) expected: f64,
 }
 
@@ -60,22 +63,34 @@ pub(crate) struct Differences {
 impl Found {
     /// What to take.
     pub(crate) fn precision(&self) -> Precision {
-        let is_visible = !self.fits || self.drawn.visible > 0 || self.expected >= NONE;
+        let is_visible = !self.fits || self.drawn.visible > 0 || self.expected > FEW;
         if is_visible { Precision::F64 } else { Precision::F32 }
+    }
+
+    /// The same, and why.
+    pub(crate) fn chosen(&self) -> Chosen {
+        Chosen { precision: self.precision(), why: Some(self.section()) }
     }
 
     /// What was found, in a sentence that claims no more.
     fn said(&self) -> String {
         let Differences { pixels, visible, .. } = self.drawn;
+        let expected = rounded(self.expected);
         match (self.precision(), visible) {
+            (Precision::F64, _) if !self.fits => {
+                "f64: the scene has numbers that f32 cannot hold".to_string()
+            }
             (Precision::F32, _) if self.is_whole => {
                 format!("f32: all {pixels} pixels were traced, and none is visibly another")
             }
             (Precision::F32, _) => format!(
-                "f32: none of {pixels} pixels is visibly another: with 95 % certainty fewer than 3 in {pixels} are"
+                "f32: none of {pixels} pixels is visibly another, and by where its edges are {expected} of the picture: \
+                 less than {FEW}"
             ),
             (Precision::F64, 0) => {
-                "f64: edges are so far off that some pixel will visibly be another".to_string()
+                format!(
+                    "f64: by where f32 puts edges {expected} pixels may visibly be others, more than {FEW}"
+                )
             }
             (Precision::F64, visible) => {
                 format!("f64: in f32 {visible} of {pixels} pixels are visibly others")
@@ -84,12 +99,17 @@ impl Found {
     }
 }
 
+/// To three digits behind the point.
+fn rounded(expected: f64) -> f64 {
+    (expected * 1e3).ceil() / 1e3
+}
+
 impl Differences {
     /// Between the same pixels in two precisions.
     fn between(narrow: &[Seen], wide: &[Seen], srgb: bool) -> Differences {
         let mut found = Differences::default();
         for (narrow, wide) in narrow.iter().zip(wide) {
-            let levels = levels(narrow, wide, srgb);
+            let levels = levels(narrow.e, wide.e, srgb);
             found.pixels += 1;
             found.colors += u64::from(levels > 0);
             found.visible += u64::from(levels > 1);
@@ -104,12 +124,9 @@ impl Differences {
 }
 
 /// By how many levels of 255 a channel is off at most.
-fn levels(a: &Seen, b: &Seen, srgb: bool) -> u8 {
-    let color = |seen: &Seen| match srgb {
-        true => Color::from_linear_srgb(seen.e.0),
-        false => Color::from_linear(seen.e.0),
-    };
-    let (Color(a), Color(b)) = (color(a), color(b));
+fn levels(a: Rgb, b: Rgb, srgb: bool) -> u8 {
+    let color = if srgb { Color::from_linear_srgb } else { Color::from_linear };
+    let (Color(a), Color(b)) = (color(a.0), color(b.0));
     a.into_iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
@@ -118,27 +135,25 @@ fn levels(a: &Seen, b: &Seen, srgb: bool) -> u8 {
 /// [`Error::Request`] where the scene is none in f64, or the pixel that is asked for lies outside of it.
 pub(crate) fn found(file: &scene_file::Scene, ask: &Ask) -> Result<Found, Error> {
     let size = ask.size_or(file.camera.size.value)?;
-    let (drawn, edges, wide) = traced::<f64, _>(file, ask, size, |seen| {
-        let (drawn, edges) = sample::sample(size, seen)?;
-        let found = sample::halved(&edges, seen)?;
-        Ok((drawn, edges, found))
-    })?;
     if from_file::scene::<f32>(file, Some(size), ask.depth).is_err() {
+        from_file::scene::<f64>(file, Some(size), ask.depth).map_err(fault)?;
         return Ok(Found::default());
     }
-    traced::<f32, _>(file, ask, size, |seen| {
-        let narrow = sample::halved(&edges, seen)?;
-        let is_visible = |edge: &Edge| levels(&edge.sides[0], &edge.sides[1], ask.srgb) > 1;
-        let visible = narrow.iter().zip(&wide).filter(|(_, wide)| is_visible(wide));
-        let off: f64 = visible.map(|(narrow, wide)| (narrow.at - wide.at).abs()).sum();
-        let all = f64::from(size.0) * f64::from(size.1);
-        Ok(Found {
-            fits: true,
-            is_whole: sample::is_small(size),
-            drawn: Differences::between(&seen(&drawn.places)?, &drawn.seen, ask.srgb),
-            edges: edges.len() as u64,
-            expected: off / drawn.places.len() as f64 * all,
-        })
+    let (drawn, edges, wide) = traced::<f64, _>(file, ask, size, |seen| {
+        let (drawn, edges) = sample::sample(size, seen)?;
+        let wide = sample::halved(&edges, seen)?;
+        Ok((drawn, edges, wide))
+    })?;
+    let (drawn_narrow, narrow) =
+        traced::<f32, _>(file, ask, size, |seen| Ok((seen(&drawn.places)?, sample::halved(&edges, seen)?)))?;
+    let pixels = f64::from(size.0) * f64::from(size.1);
+    let asked = Asked { pixels, samples: ask.samples.unwrap_or(1), srgb: ask.srgb };
+    Ok(Found {
+        fits: true,
+        is_whole: sample::is_small(size),
+        drawn: Differences::between(&drawn_narrow, &drawn.seen, ask.srgb),
+        edges: edges.len() as u64,
+        expected: asked.expected(drawn.places.len(), &narrow, &wide),
     })
 }
 
@@ -154,23 +169,25 @@ fn traced<R: Real, T>(
     let bounded = requirements.bounded(Method::ALL[ask.method], &scene.lit.geometry);
     let tolerance = ask.tolerance.map(|e| Tolerance::new(&scene, e));
     let tracer = Tracer::new(&scene, &bounded, &requirements, tolerance);
-    work(&|places| seen(&tracer, ask.threads, places))
+    work(&|places| seen(&tracer, ask, places))
 }
 
 /// What places see, as a picture of one row.
-fn seen<R: Real>(
-    tracer: &Tracer<'_, R>,
-    threads: Option<usize>,
-    places: &[Place],
-) -> Result<Vec<Seen>, Error> {
+fn seen<R: Real>(tracer: &Tracer<'_, R>, ask: &Ask, places: &[Place]) -> Result<Vec<Seen>, Error> {
     if places.is_empty() {
         return Ok(Vec::new());
     }
-    let workers = Workers { threads, stack: render::stack(tracer), progress: None };
-    let one = |(pixel, right): Place| {
-        let mut rays = Rays::default();
-        let ray = tracer.ray(pixel, (R::round_from(right), R::from(0.5)));
-        Seen { e: tracer.eye_ray(&ray, &mut Path::default(), &mut rays), rays }
+    let workers = Workers { threads: ask.threads, stack: render::stack(tracer), progress: None };
+    let one = |place: Place| {
+        let (mut rays, mut path) = (Rays::default(), Path::default());
+        let e = match place {
+            Place::Pixel(pixel) => tracer.pixel(pixel, ask.samples.unwrap_or(1), &mut path, &mut rays),
+            Place::Point(pixel, [x, y]) => {
+                let ray = tracer.ray(pixel, (R::round_from(x), R::round_from(y)));
+                tracer.eye_ray(&ray, &mut path, &mut rays)
+            }
+        };
+        Seen { e, rays }
     };
     tiled(
         (places.len() as u32, 1),
@@ -184,34 +201,37 @@ fn seen<R: Real>(
     )
 }
 
-/// Says what was found.
-pub(crate) fn say(transcript: &mut Transcript, found: &Found) {
-    let section = transcript.section("What f32 would get wrong", "--precision auto");
-    let taken = Value::text(found.precision().name());
-    if !found.fits {
-        section.step("precision", "that is taken", taken);
-        section.note("the scene has numbers that f32 cannot hold");
-        return;
-    }
-    let Differences { pixels, colors, visible, objects, paths, largest } = found.drawn;
-    let drawn =
-        if found.is_whole { "all pixels of the picture" } else { "pixels drawn from all of the picture" };
-    section
-        .step("sample", &format!("{drawn}, a ray through the middle of each"), whole(pixels))
-        .step("visible", "of which a channel is off by more than one level of 255", whole(visible))
-        .step("colors", "with another byte at all", whole(colors))
-        .step("objects", "whose eye ray sees another object", whole(objects))
-        .step("paths", "of whose rays one sees another object, light or color", whole(paths))
-        .number("largest", "difference in a channel, linear", largest);
-    if !found.is_whole {
-        let expected = Value::number((found.expected * 1e3).round() / 1e3);
+impl Found {
+    /// What was found, step by step; the last says what it comes to.
+    fn section(&self) -> Section {
+        let mut section = Section::new("What f32 would get wrong", "--precision auto");
+        if self.fits {
+            self.steps(&mut section);
+        }
+        section.step("precision", "that is taken", Value::text(self.precision().name())).note(self.said());
+        if self.fits && !self.is_whole {
+            section.remark("What no ray of the sample sees is not known.");
+        }
         section
-            .step("edges", "pixels of the sample with an edge right of their middle", whole(found.edges))
-            .step("expected", "pixels of the picture visibly off by where f32 puts edges, about", expected);
     }
-    section.step("precision", "that is taken", taken).note(found.said());
-    if !found.is_whole {
-        section.remark("What no ray of the sample sees is not known.");
+
+    fn steps(&self, section: &mut Section) {
+        let Differences { pixels, colors, visible, objects, paths, largest } = self.drawn;
+        let drawn =
+            if self.is_whole { "all pixels of the picture" } else { "pixels drawn from all of the picture" };
+        section
+            .step("sample", &format!("{drawn}, all rays of each"), whole(pixels))
+            .step("visible", "of which a channel is off by more than one level of 255", whole(visible))
+            .step("colors", "with another byte at all", whole(colors))
+            .step("objects", "whose eye rays see another object", whole(objects))
+            .step("paths", "of whose rays one sees another object, light or color", whole(paths))
+            .number("largest", "difference in a channel, linear", largest);
+        if !self.is_whole {
+            let expected = Value::number(rounded(self.expected));
+            section
+                .step("edges", "right of their middles and below, before the next pixel's", whole(self.edges))
+                .step("expected", "pixels visibly off by where f32 puts edges, at most (95 %)", expected);
+        }
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn requirements<R: Real>(
     file: &scene_file::Scene,
     scene: &Scene<R>,
     requirements: &Requirements,
-    auto: bool,
+    why: Option<&Section>,
 ) {
     let parts = Parts::of(&scene.lit.geometry).count();
     let asked = Asked { scene, requirements, parts };
@@ -30,18 +30,19 @@ pub(crate) fn requirements<R: Real>(
         vec![Value::text(feature), Value::text(required), Value::text(why)]
     };
     let mut rows =
-        vec![vec![Value::text("precision"), Value::text(R::NAME), Value::text(precision::<R>(file, auto))]];
+        vec![vec![Value::text("precision"), Value::text(R::NAME), Value::text(precision::<R>(file, why))]];
     rows.extend(asked.rows().map(row));
     section.table(&["feature", "required", "why"], rows);
     sums_above_one(section, file, scene);
     bound(section, scene);
 }
 
-fn precision<R: Real>(file: &scene_file::Scene, auto: bool) -> String {
-    match crate::from_file::scene::<f32>(file, None, None) {
-        Err(_) => "the scene has numbers that f32 cannot hold".to_string(),
-        Ok(_) if auto => format!("{} as --precision auto found, see above", R::NAME),
-        Ok(_) => format!("{} as asked; --precision auto finds out whether f32 is enough", R::NAME),
+/// Why this precision; where the stage chose it, the last of what it found.
+fn precision<R: Real>(file: &scene_file::Scene, why: Option<&Section>) -> String {
+    match (crate::from_file::scene::<f32>(file, None, None), why.and_then(|why| why.steps.last())) {
+        (Err(_), _) => "the scene has numbers that f32 cannot hold".to_string(),
+        (Ok(_), Some(found)) => found.note.clone(),
+        (Ok(_), None) => format!("{} as asked; --precision auto finds out whether f32 is enough", R::NAME),
     }
 }
 

@@ -6,7 +6,7 @@ use bounds::Parts;
 use math::Real;
 use signature::Method;
 use signature::stage::fault;
-use stage::{About, Ask, Chapter, Error, Flag, Precision, Shown, TradeAsk, Traded, Transcript};
+use stage::{About, Ask, Chapter, Chosen, Error, Flag, Shown, TradeAsk, Traded, Transcript};
 
 use crate::measure::measure;
 use crate::scenes::SCENES;
@@ -52,8 +52,8 @@ impl Chapter for Whitted {
         }
     }
 
-    fn precision(&self, ask: &Ask) -> Result<Precision, Error> {
-        Ok(auto::found(&read(ask.scene.as_deref())?, ask)?.precision())
+    fn precision(&self, ask: &Ask) -> Result<Chosen, Error> {
+        Ok(auto::found(&read(ask.scene.as_deref())?, ask)?.chosen())
     }
 
     fn show<R: Real>(&self, ask: &Ask) -> Result<Shown, Error> {
@@ -79,11 +79,9 @@ impl Chapter for Whitted {
         show::rays(&mut transcript, &shot);
         show::critical_angles(&mut transcript, &shot, own);
         show::counts(&mut transcript, &rendered, ask.tolerance);
-        if ask.auto {
-            auto::say(&mut transcript, &auto::found(&file, ask)?);
-        }
+        transcript.sections.extend(ask.why.clone());
         if ask.explain {
-            explain::requirements(&mut transcript, &file, &scene, &requirements, ask.auto);
+            explain::requirements(&mut transcript, &file, &scene, &requirements, ask.why.as_ref());
             explain::cost::<R>(&mut transcript, &file, size, method, ask.depth)?;
         }
         let (picture, is_drawn_on) = picture::draw(&rendered, &shot, own)?;

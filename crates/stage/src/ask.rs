@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use math::Real;
 
-use crate::{Canvas, Case, Error, Flag, Ids, Row, TradeAsk, Traded, Transcript};
+use crate::{Canvas, Case, Error, Flag, Ids, Row, Section, TradeAsk, Traded, Transcript};
 
 /// A chapter as it is written: all that a new stage has to say.
 pub trait Chapter: Sync {
@@ -20,8 +20,8 @@ pub trait Chapter: Sync {
     /// unless a chapter knows better.
     ///
     /// [`Error::Request`] where the request cannot be served at any precision, as by [`Chapter::show`].
-    fn precision(&self, ask: &Ask) -> Result<Precision, Error> {
-        Ok(ask.precision)
+    fn precision(&self, ask: &Ask) -> Result<Chosen, Error> {
+        Ok(Chosen { precision: ask.precision, why: None })
     }
 
     /// Answers one row of a case file in R; an invalid case is a row too. A stage whose [`About::inputs`] are empty
@@ -59,8 +59,9 @@ impl<C: Chapter> Stage for C {
     }
 
     fn show(&self, ask: &Ask) -> Result<Shown, Error> {
-        let precision = if ask.auto { self.precision(ask)? } else { ask.precision };
-        let ask = &Ask { precision, ..ask.clone() };
+        let asked = || Chosen { precision: ask.precision, why: None };
+        let Chosen { precision, why } = if ask.auto { self.precision(ask)? } else { asked() };
+        let ask = &Ask { precision, why, ..ask.clone() };
         match precision {
             Precision::F32 => Chapter::show::<f32>(self, ask),
             Precision::F64 => Chapter::show::<f64>(self, ask),
@@ -146,6 +147,8 @@ pub struct Ask {
     pub explain: bool,
     /// Whether the stage was left to choose the precision; what it chose is then [`Ask::precision`].
     pub auto: bool,
+    /// Why it chose that one, to be told among the steps.
+    pub why: Option<Section>,
 }
 
 impl Ask {
@@ -163,6 +166,15 @@ impl Ask {
         }
         Ok(size)
     }
+}
+
+/// A precision that a stage chose, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// What to show in.
+    pub precision: Precision,
+    /// What was found, see [`Ask::why`].
+    pub why: Option<Section>,
 }
 
 /// The precision a method computes in.

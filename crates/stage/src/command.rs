@@ -235,6 +235,7 @@ fn ask(about: &About, matches: &ArgMatches) -> Ask {
         tolerance: Flag::Tolerance.value(about, matches),
         explain: Flag::Explain.is_set(about, matches),
         auto: name("precision") == Some(AUTO),
+        why: None,
     }
 }
 

@@ -35,7 +35,7 @@ mod value;
 mod view;
 mod whole_file;
 
-pub use ask::{About, Ask, Chapter, Precision, Shown, Stage, Words};
+pub use ask::{About, Ask, Chapter, Chosen, Precision, Shown, Stage, Words};
 pub use canvas::{Anchor, Canvas, Pen};
 pub use case::{Case, Row};
 pub use color::Color;

@@ -68,15 +68,18 @@ impl Transcript {
 
     /// Opens a section; its steps are added to what this returns.
     pub fn section(&mut self, title: impl Into<String>, source: impl Into<String>) -> &mut Section {
-        let (title, source) = (title.into(), source.into());
-        let (steps, table, remarks) = (Vec::new(), None, Vec::new());
-        let section = Section { title, source, steps, table, remarks, in_text: true };
-        self.sections.push(section);
+        self.sections.push(Section::new(title, source));
         self.sections.last_mut().expect("a section was just pushed")
     }
 }
 
 impl Section {
+    /// An empty section.
+    pub fn new(title: impl Into<String>, source: impl Into<String>) -> Section {
+        let (title, source) = (title.into(), source.into());
+        Section { title, source, steps: Vec::new(), table: None, remarks: Vec::new(), in_text: true }
+    }
+
     /// A step whose value is a number.
     pub fn number<R: Real>(&mut self, symbol: &str, formula: &str, x: R) -> &mut Section {
         self.step(symbol, formula, Value::number(x))

@@ -7,8 +7,8 @@ use shading::lighting::Point;
 
 use crate::{Sent, Witness};
 
-/// What the rays of a pixel see: the eye rays' objects; and of all rays in their order objects, their colors and lights.
-/// Each as one number (FNV-1a).
+/// What the rays of a pixel see: the eye rays' objects; and of all rays in their order objects, their colors
+/// and lights. Each as one number (FNV-1a).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Rays {
     pub(super) eye: u64,

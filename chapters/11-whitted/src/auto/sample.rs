@@ -1,9 +1,10 @@
 //! Which pixels are traced in both precisions, and where in them.
 //!
-//! Where the precisions see something else they do so beside an edge: of an object, a shadow, a square of a checker, or of
-//! where light is reflected totally. There f32 puts the edge elsewhere, by a small part of a pixel, and few pixels have their
-//! middle in between: too few to be met by chance. So where a drawn pixel and the one to its right see by rays that go other
-//! ways, the edge between them is found by halving, in both precisions.
+//! Where the precisions see something else they do so beside an edge: of an object, a shadow, a square of a
+//! checker, or of where light is reflected totally. There f32 puts the edge elsewhere, by a small part of a
+//! pixel, and few pixels have their middle in between: too few to be met by chance. So where a drawn pixel
+//! and the one to its right, or below it, see by rays that go other ways, the edge between their middles is
+//! found by halving, in both precisions.
 
 use lab::Draw;
 use shading::Rgb;
@@ -23,8 +24,15 @@ const SEED: u64 = 11;
 /// A column and a row.
 pub(super) type Pixel = (u32, u32);
 
-/// A point of the picture: a pixel, and how far to the right of its left border, in pixels.
-pub(super) type Place = (Pixel, f64);
+/// What is traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Place {
+    /// A pixel with all rays that the picture has for it.
+    Pixel(Pixel),
+    /// A point of the picture: a pixel, and how far to the right of its left border and below its top, in
+    /// pixels.
+    Point(Pixel, [f64; 2]),
+}
 
 /// What a place sees.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,47 +62,64 @@ pub(super) fn is_small((width, height): (u32, u32)) -> bool {
     u64::from(width) * u64::from(height) <= SMALL
 }
 
-/// An edge right of a pixel's middle.
+/// An edge on the way from a pixel's middle to that of the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    pixel: Pixel,
-    /// Not farther to the right than the edge, in pixels from the left border.
+    pub(super) pixel: Pixel,
+    /// The way: 0 across, 1 down.
+    pub(super) way: usize,
+    /// How far it is to the edge, or a little less, in pixels.
     pub(super) at: f64,
-    /// What is seen left and right of it.
+    /// What is seen before and beyond it.
     pub(super) sides: [Seen; 2],
 }
 
-/// The middles of the pixels that are drawn, and the edges right of them, not yet found. Of a small picture all pixels and no
-/// edge.
+/// A point on the way across or down from a pixel's middle, so many pixels away.
+fn on_the_way(pixel: Pixel, way: usize, at: f64) -> Place {
+    let mut point = [0.5; 2];
+    point[way] += at;
+    Place::Point(pixel, point)
+}
+
+/// The pixels that are drawn, and the edges right of their middles and below, not yet found. Of a small
+/// picture all pixels and no edge.
 ///
 /// What `seen` returns as an error.
 pub(super) fn sample(size: (u32, u32), seen: &SeenIn) -> Result<(Sample, Vec<Edge>), Error> {
-    let middles = |pixels: Vec<Pixel>| pixels.into_iter().map(|pixel| (pixel, 0.5)).collect();
     if is_small(size) {
-        let all = (0..size.1).flat_map(|row| (0..size.0).map(move |col| (col, row))).collect();
-        return Ok((Sample::new(middles(all), seen)?, Vec::new()));
+        let all = (0..size.1).flat_map(|row| (0..size.0).map(move |col| Place::Pixel((col, row))));
+        return Ok((Sample::new(all.collect(), seen)?, Vec::new()));
     }
-    let drawn = Sample::new(middles(drawn(size)), seen)?;
-    let right = Sample::new(drawn.places.iter().map(|&(pixel, at)| (pixel, at + 1.0)).collect(), seen)?;
-    let pairs = drawn.places.iter().zip(drawn.seen.iter().zip(&right.seen));
-    let pairs = pairs.filter(|(_, (left, right))| left.rays.all != right.rays.all);
-    let edges = pairs.map(|(&(pixel, at), (&left, &right))| Edge { pixel, at, sides: [left, right] });
-    let edges = edges.collect();
-    Ok((drawn, edges))
+    let pixels = drawn(size);
+    let middles = seen(&pixels.iter().map(|&pixel| on_the_way(pixel, 0, 0.0)).collect::<Vec<_>>())?;
+    let mut edges = Vec::new();
+    for way in [0, 1] {
+        let next = seen(&pixels.iter().map(|&pixel| on_the_way(pixel, way, 1.0)).collect::<Vec<_>>())?;
+        let pairs = pixels.iter().zip(middles.iter().zip(next));
+        let pairs = pairs.filter(|(_, (middle, next))| middle.rays.all != next.rays.all);
+        edges.extend(pairs.map(|(&pixel, (&middle, next))| Edge {
+            pixel,
+            way,
+            at: 0.0,
+            sides: [middle, next],
+        }));
+    }
+    Ok((Sample::new(pixels.into_iter().map(Place::Pixel).collect(), seen)?, edges))
 }
 
-/// The edges, found by halving: what is seen as on the left is left of them.
+/// The edges, found by halving: what is seen as from the middle is before them.
 ///
 /// What `seen` returns as an error.
 pub(super) fn halved(edges: &[Edge], seen: &SeenIn) -> Result<Vec<Edge>, Error> {
     let mut found = edges.to_vec();
     for step in 1..=HALVINGS {
         let half = 0.5_f64.powi(step);
-        let places: Vec<Place> = found.iter().map(|edge| (edge.pixel, edge.at + half)).collect();
+        let place = |edge: &Edge| on_the_way(edge.pixel, edge.way, edge.at + half);
+        let places: Vec<Place> = found.iter().map(place).collect();
         for (edge, seen) in found.iter_mut().zip(seen(&places)?) {
-            let is_left = seen.rays.all == edge.sides[0].rays.all;
-            edge.at += if is_left { half } else { 0.0 };
-            edge.sides[usize::from(!is_left)] = seen;
+            let is_before = seen.rays.all == edge.sides[0].rays.all;
+            edge.at += if is_before { half } else { 0.0 };
+            edge.sides[usize::from(!is_before)] = seen;
         }
     }
     Ok(found)

@@ -10,7 +10,7 @@ fn said(text: &str) -> (Vec<[String; 3]>, Vec<String>) {
     let scene = from_file::scene::<f64>(&file, None, None).unwrap();
     let required = Requirements::of(&scene, Parts::of(&scene.lit.geometry).count());
     let mut transcript = Transcript::new(&crate::stage::Whitted.about(), &Ask::default());
-    requirements(&mut transcript, &file, &scene, &required, false);
+    requirements(&mut transcript, &file, &scene, &required, None);
     let section = transcript.sections.remove(0);
     let row = |row: &Vec<Value>| [0, 1, 2].map(|cell| row[cell].to_text());
     (section.table.unwrap().rows.iter().map(row).collect(), section.remarks)

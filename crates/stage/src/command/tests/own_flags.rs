@@ -3,7 +3,7 @@ use std::sync::Mutex;
 use math::Real;
 
 use super::*;
-use crate::{Chapter, Flag};
+use crate::{Chapter, Chosen, Flag, Section};
 
 /// A chapter with every flag there is, which remembers what it was asked and in which numbers. Left to choose
 /// it takes f32.
@@ -35,8 +35,8 @@ impl Chapter for Every {
         Err(Error::Failed("no picture".to_string()))
     }
 
-    fn precision(&self, _: &Ask) -> Result<Precision, Error> {
-        Ok(Precision::F32)
+    fn precision(&self, _: &Ask) -> Result<Chosen, Error> {
+        Ok(Chosen { precision: Precision::F32, why: Some(Section::new("why", "")) })
     }
 
     fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
@@ -107,6 +107,7 @@ fn a_wrong_value_is_told_what_would_be_right() {
 fn auto_is_the_precision_that_the_chapter_chooses() {
     let (numbers, ask) = Every::shown(&["--precision", "auto"]);
     assert_eq!((numbers, ask.precision, ask.auto), ("f32", Precision::F32, true));
+    assert_eq!(ask.why, Some(Section::new("why", "")), "it is told what was found");
     let (numbers, ask) = Every::shown(&["--precision", "auto", "show", "--precision", "f64"]);
     assert_eq!((numbers, ask.precision, ask.auto), ("f64", Precision::F64, false), "the later one counts");
 }
