@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use lab::{Truth, oracle};
-use math::Span;
 use math::glance::First;
+use math::{Exact, Span};
 use stage::Precision;
 
 use super::*;
@@ -78,7 +78,8 @@ fn closed_forms() {
     assert_eq!(at_height_2([2.0, 2.0, 0.0]), Glance::Unsure);
 }
 
-/// By hand: corners at 0, 1 and 2 of a line. The volumes of a ray beside it differ in sign, as those of a miss do.
+/// By hand: corners at 0, 1 and 2 of a line. The volumes of a ray beside it differ in sign, as those of a
+/// miss do.
 #[test]
 fn a_triangle_without_area_is_not_called() {
     let triangle = Triangle { p1: DVec3::ZERO, p2: DVec3::X, p3: DVec3::X * 2.0 };
@@ -102,4 +103,77 @@ fn what_vanishes_is_not_called() {
         let robust = crate::robust(&ray, &triangle).hit(Span::ahead()).unwrap();
         assert_eq!(robust.is_some(), matches!(truth, Truth::Hit { .. }), "robust: {case:?}");
     }
+}
+
+/// The point where the line of the ray passes the plane, as p̄1 + α e1 + β e2: α and β over their
+/// denominator, by areas, which are no volumes. With the plane's N = (p̄1 − ā) · n and D = d · n the point is
+/// ā + (N/D) d; seen from p̄1, times D, it is x̄ = D (ā − p̄1) + N d, and α = (x̄ × e2) · n / D n · n.
+fn exact_shares(case: [f64; 15]) -> ([Exact; 2], Exact) {
+    let vector = |at: usize| -> [Exact; 3] { std::array::from_fn(|axis| Exact::new(case[at + axis])) };
+    let minus = |a: &[Exact; 3], b: &[Exact; 3]| -> [Exact; 3] {
+        std::array::from_fn(|axis| a[axis].clone() - b[axis].clone())
+    };
+    let cross = |a: &[Exact; 3], b: &[Exact; 3]| -> [Exact; 3] {
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone())
+    };
+    let [o, d, p1, p2, p3] = [0, 3, 6, 9, 12].map(vector);
+    let (e1, e2, from_p1) = (minus(&p2, &p1), minus(&p3, &p1), minus(&o, &p1));
+    let n = cross(&e1, &e2);
+    let (above, rise) = (-Exact::dot(&from_p1, &n), Exact::dot(&d, &n));
+    let x: [Exact; 3] =
+        std::array::from_fn(|axis| rise.clone() * from_p1[axis].clone() + above.clone() * d[axis].clone());
+    let shares = [cross(&x, &e2), cross(&e1, &x)].map(|area| Exact::dot(&area, &n));
+    (shares, rise * Exact::dot(&n, &n))
+}
+
+/// Whether a share is off the true one by no more than that: |s W − S| ≤ e |W|.
+fn is_off_by_less(s: f64, share: &Exact, of: &Exact, e: f64) -> bool {
+    let size = |x: Exact| if x.is_negative() { -x } else { x };
+    let off = size(Exact::new(s) * of.clone() - share.clone());
+    !(Exact::new(e) * size(of.clone()) - off).is_negative()
+}
+
+/// How many α and β were told for rays of a regime that hit, and of those how many are off by more than so
+/// much.
+fn shares_off<R: Real>(precision: Precision, name: &str, e: f64) -> [usize; 2] {
+    let [mut told, mut off] = [0; 2];
+    let regime = regimes().into_iter().find(|regime| regime.name == name).unwrap();
+    for case in regime.cases(1, precision).take(CASES) {
+        let (ray, triangle) = question::<R>(case.map(R::round_from));
+        let Truth::Hit { .. } = oracle::triangle(case, precision) else { continue };
+        let Some((alpha, beta)) = alpha_beta(&ray, &triangle) else { continue };
+        let (shares, of) = exact_shares(case);
+        let both = [alpha, beta].map(Into::<f64>::into).into_iter().zip(&shares);
+        told += 1;
+        off += usize::from(!both.into_iter().all(|(s, share)| is_off_by_less(s, share, &of, e)));
+    }
+    [told, off]
+}
+
+/// Off by the two roundings of `f64` that the bound speaks of, and by the one of R: half a unit of the last
+/// digit of 1.
+#[test]
+fn alpha_and_beta_are_off_by_less_than_is_said() {
+    const SAID: f64 = 1.0 / (1u64 << 30) as f64;
+    let mut all = [0; 2];
+    for regime in regimes().iter().filter(|regime| !["special", "bits"].contains(&regime.name)) {
+        let narrow = shares_off::<f32>(Precision::F32, regime.name, SAID + f64::from(f32::EPSILON) / 2.0);
+        let wide = shares_off::<f64>(Precision::F64, regime.name, SAID);
+        assert_eq!((narrow[1], wide[1]), (0, 0), "{}", regime.name);
+        all = [all[0] + narrow[0], all[1] + wide[0]];
+    }
+    assert!(all.iter().all(|&told| told > 2 * CASES), "{all:?}");
+    // the bound is not idle: to the last digits they are off
+    let [told, off] = shares_off::<f64>(Precision::F64, "ordinary", f64::EPSILON / 64.0);
+    assert!(told > CASES / 3 && off > told / 2, "{told} {off}");
+}
+
+/// By hand, of the triangle above: (1, 2) is a quarter of the way along e1 and half of that along e2.
+#[test]
+fn the_shares_of_a_point_by_hand() {
+    let case = [1.0, 2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 2.0, 4.0, 0.0, 2.0, 0.0, 4.0, 2.0];
+    let ([alpha, beta], of) = exact_shares(case);
+    assert!(is_off_by_less(0.25, &alpha, &of, 0.0) && is_off_by_less(0.5, &beta, &of, 0.0));
+    let (ray, triangle) = question::<f64>(case);
+    assert_eq!(alpha_beta(&ray, &triangle), Some((0.25, 0.5)));
 }

@@ -55,7 +55,8 @@ pub(super) fn explain<R: Real>(
     });
 }
 
-/// Gradient and tangents of a smooth unit shape, carried into the world, beside what the method of the shape says.
+/// Gradient and tangents of a smooth unit shape, carried into the world, beside what the method of the shape
+/// says.
 fn both<R: Real>(
     section: &mut Section,
     shape: Smooth,
@@ -151,4 +152,67 @@ fn tangents_of_flat<R: Real>(section: &mut Section, a: R::Vec3, b: R::Vec3, n: R
         .vector::<R>("∂p̄/∂β", "p̄3 − p̄1", b)
         .vector::<R>("cross", "∂p̄/∂α × ∂p̄/∂β", R::cross(a, b))
         .vector::<R>("n⃗_face", "at unit length", n);
+}
+
+#[cfg(test)]
+mod tests {
+    use bounds::{Bounded, Query, Uncounted};
+    use glam::DVec3;
+    use math::Span;
+    use stage::{Ask, Chapter};
+
+    use super::*;
+    use crate::{Start, from_file, picture};
+
+    /// A triangle in the plane z = 0 whose normal leans toward x at its second corner.
+    const BENT: &str = "\
+        v 0 0 0\nv 4 0 0\nv 0 4 0\nvn 0 0 1\nvn 0.6 0 0.8\nvn 0 0 1\nf 1//1 2//2 3//3\n";
+    const SCENE: &str = "\
+        [camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\n[material.m]\n\
+        [[object]]\nmaterial = \"m\"\nmesh = { file = \"bent.obj\", smooth = true }\n";
+
+    /// What is said of a ray toward its point (1, 1, 0), where α = β = ¼.
+    fn said(direction: DVec3) -> (Section, Landing<f64>) {
+        let files = [("bent.toml", SCENE.as_bytes()), ("bent.obj", BENT.as_bytes())];
+        let file = scene_file::Scene::built_in("bent.toml", &files).unwrap();
+        let scene = from_file::scene::<f64>(&file, Some((4, 3))).unwrap();
+        let bounded = Bounded::new(&scene.geometry, bounds::Method::Auto);
+        let ray = Ray3::<f64>::new(DVec3::new(1.0, 1.0, 0.0) - direction * 2.0, direction);
+        let query = Query::new(ray, Span::ahead());
+        let landing = Landing::of(&bounded, &query, &mut Uncounted, |_| false).unwrap();
+        let mut transcript = Transcript::new(&crate::stage::Shading.about(), &Ask::default());
+        explain(&mut transcript, &picture::lighting(&scene, &bounded, Start::Bound), &ray, &landing);
+        (transcript.sections.remove(0), landing)
+    }
+
+    fn last<'a>(section: &'a Section, symbol: &str) -> &'a Value {
+        &section.steps.iter().rfind(|step| step.symbol == symbol).unwrap().value
+    }
+
+    /// By hand: ½ (0, 0, 1) + ¼ (0.6, 0, 0.8) + ¼ (0, 0, 1) = (0.15, 0, 0.95), of the length √0.925. From
+    /// either side n⃗·n⃗_face is the same, for both are as the surface has them; and toward the viewer both
+    /// turn.
+    #[test]
+    fn an_interpolated_normal_turns_with_its_face() {
+        let leaning = DVec3::new(0.15, 0.0, 0.95) / 0.925_f64.sqrt();
+        for z in [-1.0, 1.0] {
+            let (section, landing) = said(DVec3::new(0.0, 0.0, z));
+            let Value::F64(along) = *last(&section, "n⃗·n⃗_face") else { panic!("a number") };
+            assert!((along - 0.95 / 0.925_f64.sqrt()).abs() < 4.0 * f64::EPSILON, "{along}");
+            assert_eq!(along, landing.normal.dot(landing.face_normal), "to the last digit");
+            assert!((landing.normal - leaning).length() < 4.0 * f64::EPSILON);
+            let turned = landing.turned_toward(DVec3::new(0.0, 0.0, z));
+            assert_eq!((turned.n, turned.face), (landing.normal * -z, DVec3::Z * -z));
+            assert_eq!(last(&section, "n⃗"), &Value::vector::<f64>(turned.n));
+        }
+    }
+
+    /// By hand: d · n_face < 0, though d · n > 0. By itself n⃗ would turn, and light the face from behind.
+    #[test]
+    fn a_normal_that_leans_away_does_not_turn_by_itself() {
+        let direction = DVec3::new(10.0, 0.0, -1.0);
+        let (section, landing) = said(direction);
+        assert!(landing.normal.dot(direction) > 0.0 && landing.face_normal.dot(direction) < 0.0);
+        assert_eq!(last(&section, "n⃗"), &Value::vector::<f64>(landing.normal));
+    }
 }

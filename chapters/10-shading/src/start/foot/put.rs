@@ -106,8 +106,9 @@ fn on_unit(solid: quadric::Shape, n: [f64; 3], [x, y, z]: [f64; 3]) -> ([f64; 3]
     if is_cap {
         return ([x, y, cap], [0.0, 0.0, n[2]]);
     }
+    // on the axis there is no way from it but the normal's
+    let [x, y] = if x == 0.0 && y == 0.0 { [n[0], n[1]] } else { [x, y] };
     let from_axis = (x * x + y * y).sqrt();
-    // at the apex there is no direction away from the axis
     if from_axis == 0.0 {
         return ([x, y, z], n);
     }
@@ -154,14 +155,24 @@ fn on_deformed<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], deformed: &Deformed<R>
     let lost = back(std::array::from_fn(|axis| from_t[axis] - dot(rows[axis], x)));
     let x = std::array::from_fn(|axis| x[axis] + lost[axis]);
     // the normal goes back by Aᵀ
-    let own_n = cap_or_wall(f64::xyz(a.transposed_times(n.into())));
-    let (x, own_n) = match deformed.object {
-        affine::Object::Sphere => (unit_length(x), unit_length(x)),
-        affine::Object::Cylinder => on_unit(quadric::Shape::Cylinder, own_n, x),
-        affine::Object::Cone => on_unit(quadric::Shape::Cone, own_n, x),
-        affine::Object::Plane | affine::Object::Triangle => ([x[0], x[1], 0.0], [0.0, 0.0, 1.0]),
+    let own_n = f64::xyz(a.transposed_times(n.into()));
+    let put = |x: [f64; 3]| {
+        let (x, own_n) = match deformed.object {
+            affine::Object::Sphere => (unit_length(x), unit_length(x)),
+            affine::Object::Cylinder => on_unit(quadric::Shape::Cylinder, cap_or_wall(own_n), x),
+            affine::Object::Cone => on_unit(quadric::Shape::Cone, cap_or_wall(own_n), x),
+            affine::Object::Plane | affine::Object::Triangle => ([x[0], x[1], 0.0], [0.0, 0.0, 1.0]),
+        };
+        (x, unit_length(columns.map(|column| dot(column, own_n))))
     };
-    let normal = unit_length(columns.map(|column| dot(column, own_n)));
+    let (x, normal) = match put(x) {
+        // p̄ is so coarse for this solid that it is on its other side, or in its middle: n⃗ tells better where it is
+        (_, normal) if !deformed.object.is_flat() && dot(normal, n) <= 0.0 => {
+            let height = if deformed.object == affine::Object::Sphere { own_n[2] } else { x[2] };
+            put([own_n[0], own_n[1], height])
+        }
+        found => found,
+    };
     let point = std::array::from_fn(|axis| dot(rows[axis], x) + t[axis]);
     let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| {
         let [i, j, k] = rows[axis];

@@ -1,5 +1,7 @@
 //! The bounds against numbers that are never rounded: whole numbers as long as it takes.
 
+mod curved;
+
 use lab::Draw;
 use math::{Exact, Ray3, Span};
 use ray_plane::Plane;
