@@ -125,7 +125,6 @@ mod tests {
             seed,
             quick: true,
             scene: None,
-            threads: None,
         };
         volleys(&ask)
     }

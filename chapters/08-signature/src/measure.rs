@@ -203,7 +203,6 @@ mod tests {
             seed: 1,
             quick: true,
             scene: None,
-            threads: None,
         };
         measure(&ask).unwrap().remove(0).entries.into_iter().map(|entry| entry.off).collect()
     }

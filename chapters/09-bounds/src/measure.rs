@@ -262,7 +262,6 @@ mod tests {
                 seed: 3,
                 quick: true,
                 scene: None,
-                threads: None,
             };
             let measured = measure(&ask).unwrap().remove(0);
             assert_eq!(measured.entries.len(), 14);

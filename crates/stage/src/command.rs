@@ -157,7 +157,6 @@ fn trade(stage: &dyn Stage, matches: &ArgMatches, ask: &Ask, output: &mut dyn Wr
         seed: matches.get_one("seed").copied().unwrap_or(TRADE_SEED),
         quick: matches.get_flag("quick"),
         scene: ask.scene.clone(),
-        threads: ask.threads,
     };
     let format = match matches.get_one::<String>("format").map(String::as_str) {
         Some("json") => TradeFormat::Json,

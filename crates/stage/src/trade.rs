@@ -25,9 +25,6 @@ pub struct TradeAsk {
     pub quick: bool,
     /// The scene file to measure in; `None`: the stage's own scenes, its regimes.
     pub scene: Option<PathBuf>,
-    /// How many threads work; `None`: as many as the machine has. Only a stage that has
-    /// [`Flag::Threads`](crate::Flag::Threads) is asked for a number.
-    pub threads: Option<usize>,
 }
 
 impl TradeAsk {

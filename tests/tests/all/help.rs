@@ -69,7 +69,6 @@ fn quick_run() -> TradeAsk {
         seed: 1,
         quick: true,
         scene: None,
-        threads: None,
     }
 }
 

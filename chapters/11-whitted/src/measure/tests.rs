@@ -11,7 +11,6 @@ fn ask(regime: &str) -> TradeAsk {
         seed: 1,
         quick: false,
         scene: None,
-        threads: None,
     }
 }
 

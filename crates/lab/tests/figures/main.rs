@@ -9,16 +9,7 @@ use something::{ALL, METHODS, OFF, RIGHT, SLOW, Something, WRONG, is_wrong};
 
 fn ask(regimes: &[&str]) -> TradeAsk {
     let regimes = regimes.iter().map(ToString::to_string).collect();
-    TradeAsk {
-        method: None,
-        precision: None,
-        regimes,
-        cases: Some(ALL),
-        seed: 7,
-        quick: true,
-        scene: None,
-        threads: None,
-    }
+    TradeAsk { method: None, precision: None, regimes, cases: Some(ALL), seed: 7, quick: true, scene: None }
 }
 
 fn measured(ask: &TradeAsk) -> Measured {

@@ -86,7 +86,6 @@ fn what_trade_is_not_told_is_all() {
         seed: TRADE_SEED,
         quick: false,
         scene: None,
-        threads: None,
     };
     assert_eq!(asked, Some(all));
     std::fs::remove_dir_all(folder).unwrap();

@@ -21,7 +21,7 @@ pub enum Flag {
     Srgb,
     /// `--samples N`: N × N rays a pixel.
     Samples,
-    /// `--threads N`: how many threads work.
+    /// `--threads N`: how many threads work on the picture. (What `trade` times is on one.)
     Threads,
     /// `--depth N`: how deep the recursion goes, instead of the scene's `max_depth`.
     Depth,
@@ -52,7 +52,7 @@ impl Flag {
 
     /// Whether `trade` has no use for it.
     pub(super) fn is_for_show(self) -> bool {
-        !matches!(self, Flag::Scene | Flag::Threads | Flag::Auto)
+        !matches!(self, Flag::Scene | Flag::Auto)
     }
 
     /// What the stage named `stage` adds to its command line; nothing for [`Flag::Auto`], a word of a flag

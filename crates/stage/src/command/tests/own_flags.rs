@@ -10,7 +10,6 @@ use crate::{Chapter, Chosen, Flag, Section};
 #[derive(Default)]
 struct Every {
     shown: Mutex<Option<(&'static str, Ask)>>,
-    threads: Mutex<Option<usize>>,
 }
 
 const FLAGS: &[Flag] = &[
@@ -39,8 +38,7 @@ impl Chapter for Every {
         Ok(Chosen { precision: Precision::F32, why: Some(Section::new("why", "")) })
     }
 
-    fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
-        *self.threads.lock().unwrap() = ask.threads;
+    fn trade(&self, _: &TradeAsk) -> Result<Traded, Error> {
         Err(Error::Failed("no numbers".to_string()))
     }
 }
@@ -129,27 +127,13 @@ fn auto_is_for_show_and_only_where_a_chapter_can_choose() {
 }
 
 #[test]
-fn trade_is_told_how_many_threads() {
-    let (folder, out) = folder("threads");
-    for words in [["--threads", "3", "trade"], ["trade", "--threads", "3"]] {
-        let every = Every::default();
-        let error = every.serve(&[&words[..], &["--out", &out]].concat()).unwrap_err();
-        assert_eq!(
-            (error.to_string().as_str(), every.threads.into_inner().unwrap()),
-            ("no numbers", Some(3))
-        );
-    }
-    std::fs::remove_dir_all(folder).unwrap();
-}
-
-#[test]
 fn the_help_of_trade_names_what_is_for_show() {
     let help =
         |about: &About| command(about).try_get_matches_from(["", "trade", "--help"]).unwrap_err().to_string();
     let every = help(&Chapter::about(&Every::default()));
-    let named = "--pixel, --size, --ids, --srgb, --samples, --depth, --tolerance and --explain are for show.";
+    let named = "--pixel, --size, --ids, --srgb, --samples, --threads, --depth, --tolerance and --explain are for show.";
     assert!(every.contains(named), "{every}");
-    assert!(every.contains("--threads <N>") && !every.contains("--samples <N>"), "{every}");
+    assert!(every.contains("--scene <FILE>") && !every.contains("--samples <N>"), "{every}");
     assert!(help(&Fake::default().about()).contains("\n--pixel and --size are for show."));
 }
 
@@ -162,6 +146,7 @@ fn trade_refuses_what_is_for_show() {
         &["--ids", "ids.png"],
         &["--srgb"],
         &["--samples", "2"],
+        &["--threads", "2"],
         &["--depth", "3"],
         &["--tolerance", "0.1"],
         &["--explain"],
