@@ -37,6 +37,7 @@ pub mod robust;
 pub mod scene;
 #[cfg(feature = "stage")]
 pub mod stage;
+mod volumes;
 
 use math::{Degenerate, Hit, Parallel, Ray3, Real, Span, Vector};
 

@@ -133,7 +133,7 @@ pub struct Reach {
 impl Reach {
     /// How far a method's t may be off, in units of its last digit. The robust ones are within 9; what is
     /// farther off may be looked for in a box that its true t is in, and not in the one of its computed t.
-    pub const ULPS: f64 = 16.0;
+    pub const ULPS: f64 = math::glance::ULPS;
 
     /// A span widened by [`Reach::ULPS`]; what begins below zero begins at zero.
     ///

@@ -85,7 +85,7 @@ impl Wide {
         mut test: impl FnMut(usize, Span<R>) -> bool,
     ) -> bool {
         let somewhere = |index, span: Span<R>| test(index, span).then_some(span.max);
-        self.search::<R, true>(ray, span, counts, somewhere).is_some()
+        self.first_found(ray, span, counts, somewhere).is_some()
     }
 
     /// The first object that is found to be hit in `span`, and its t; which one that is depends on the tree.

@@ -1,8 +1,8 @@
 //! What plain `f64` can say of a ray and a shape at a glance: whether it is met, surely, and roughly where.
 //!
-//! A ray is tried on many shapes and lands on one. Of all others nothing is needed but that they are not met, or that
-//! another one is nearer; and a ray to a light needs to know of one only that it is met at all. So λ with all its digits
-//! is for the shape that a ray lands on.
+//! A ray is tried on many shapes and lands on one. Of all others nothing is needed but that they are not met,
+//! or that another one is nearer; and a ray to a light needs to know of one only that it is met at all. So λ
+//! with all its digits is for the shape that a ray lands on.
 
 use crate::{Real, Span};
 
@@ -41,9 +41,10 @@ pub enum First {
     Unsure,
 }
 
-/// What is left of a glance when the exact method has rounded its λ: that one may be off by so many units of its last digit,
-/// of the most careful to the least, see `bounds::Reach::ULPS`.
-const ULPS: f64 = 16.0;
+/// How far a method's λ may be off, in units of its last digit. The robust ones are within 9, by their own
+/// bounds; the next power of two is taken. What is left of a glance when the exact method has rounded λ, and
+/// what boxes are searched by.
+pub const ULPS: f64 = 16.0;
 
 impl Around {
     /// The range in which λ is, as a method rounds it to R.

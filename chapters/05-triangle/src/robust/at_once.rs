@@ -1,61 +1,23 @@
-//! The first way of [`robust`](super): the four determinants of [`mod@matrix`](mod@crate::matrix) in plain `f64`, with their
-//! error bound.
-//!
-//! With u = 2^−53, the error of one operation, |x| for the sum of the magnitudes of a vector's components, e1 = p̄2 − p̄1,
-//! e2 = p̄3 − p̄1 and A = p̄1 − ā, what is computed is off by at most
-//!
-//! | number | of | because |
-//! | --- | --- | --- |
-//! | n = e1 × e2, d · n | 7u \|d\| \|e1\| \|e2\| | two differences, a product and a subtraction; a product and two sums |
-//! | q = d × A, v = −e2 · q | 7u \|d\| \|A\| \|e2\| | as many |
-//! | w = e1 · q | 7u \|d\| \|A\| \|e1\| | as many |
-//! | u = d · n − v − w | 9u of these three together | they and two subtractions |
-//!
-//! One bound for all, 16u \|d\| (\|e1\| \|e2\| + \|A\| (\|e1\| + \|e2\|)), is enough for the verdict of nearly all rays. It
-//! grows with the edges, not with the distance alone, for the volumes are taken from the edges: d · (C × A) is d · (e2 × A).
+//! The first way of [`robust`](super): the [`Volumes`] in plain `f64`, with their error bound.
 
-use math::plain::{cross, difference, dot, size};
-use math::{Certainty, Ray3, Real, Vector};
+use math::plain::{dot, size};
+use math::{Certainty, Ray3, Real};
 
 use super::correction::{Solution, corrected};
 use super::{Passage, Robust};
 use crate::Triangle;
-
-/// u, the relative error of one operation.
-const UNIT: f64 = f64::EPSILON / 2.0;
-/// The error of the three volumes and d · n: more than 9u.
-const ERROR: f64 = 16.0 * UNIT;
-/// Between these, neither a product of four lengths nor the errors of its factors overflow or vanish.
-const SAFE: std::ops::RangeInclusive<f64> = 1e-70..=1e70;
+use crate::volumes::{ERROR, Volumes};
 
 /// What plain `f64` can say; `None` where it leaves a doubt, or the question is degenerate. (Inlined into every caller: it is
 /// most of what `robust` costs.)
 #[inline(always)]
 pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<Robust<R>> {
     let is_f64 = R::DIGITS == f64::MANTISSA_DIGITS;
-    let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
-    let [p1, p2, p3] = triangle.corners().map(Vector::in_f64::<3>);
-
-    let (e1, e2, to_p1) = (difference(p2, p1), difference(p3, p1), difference(p1, o));
-    let n = cross(e1, e2);
-    let q = cross(d, to_p1);
-    let d_dot_n = dot(d, n);
-    let (v, w) = (-dot(e2, q), dot(e1, q));
-    let u = d_dot_n - v - w;
-
-    let [d_size, e1_size, e2_size, to_p1_size] = [d, e1, e2, to_p1].map(size);
-    let area = e1_size * e2_size;
-    let edges = e1_size + e2_size;
-    let error = ERROR * d_size * (area + to_p1_size * edges);
+    let computed = Volumes::of(ray, triangle);
+    let Volumes { n, to_p1, d_dot_n, uvw: [u, v, w], d_size, error, .. } = computed;
+    let (area, edges) = (computed.area(), computed.edges());
     // Products of four numbers of an f32 are ordinary numbers as f64. NaN fails either test, and the next.
-    let in_range = match is_f64 {
-        true => {
-            SAFE.contains(&d_size)
-                && e1_size.min(e2_size) >= *SAFE.start()
-                && to_p1_size + edges <= *SAFE.end()
-        }
-        false => error < f64::INFINITY,
-    };
+    let in_range = if is_f64 { computed.are_in_range() } else { error < f64::INFINITY };
     let (lowest, highest) = (lower(lower(u, v), w), higher(higher(u, v), w));
     let past = Robust {
         ray: *ray,
@@ -90,7 +52,7 @@ pub(super) fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<R
     let fine_lambda = match is_f64 {
         true => {
             let plain = Solution { lambda, alpha: v * one_over, beta: w * one_over };
-            corrected(plain, [o, d], [p1, p2, p3], n, one_over)
+            corrected(plain, computed.ray, computed.corners, n, one_over)
         }
         false => lambda,
     };
