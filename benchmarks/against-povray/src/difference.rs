@@ -56,20 +56,20 @@ fn read(path: &Path) -> Result<RgbImage, String> {
 mod tests {
     use super::*;
 
-    fn grey(of: [u8; 4]) -> RgbImage {
+    fn gray(of: [u8; 4]) -> RgbImage {
         RgbImage::from_fn(2, 2, |x, y| image::Rgb([of[(2 * y + x) as usize]; 3]))
     }
 
     #[test]
     fn eight_is_not_seen_and_nine_is() {
         // 8 + 9 + 0 + 3 in four pixels; one of the four is off by more than 8
-        let difference = Difference::of(&grey([10, 10, 10, 10]), &grey([18, 1, 10, 7])).unwrap();
+        let difference = Difference::of(&gray([10, 10, 10, 10]), &gray([18, 1, 10, 7])).unwrap();
         assert_eq!(difference, Difference { mean: 5.0, visible: 0.25 });
     }
 
     #[test]
     fn one_channel_is_enough() {
-        let (one, mut other) = (grey([0; 4]), grey([0; 4]));
+        let (one, mut other) = (gray([0; 4]), gray([0; 4]));
         other.put_pixel(1, 1, image::Rgb([0, 0, 12]));
         // 12 in one of twelve channels
         assert_eq!(Difference::of(&one, &other), Some(Difference { mean: 1.0, visible: 0.25 }));
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn pictures_of_different_sizes_have_none() {
-        assert_eq!(Difference::of(&grey([0; 4]), &RgbImage::new(4, 1)), None);
+        assert_eq!(Difference::of(&gray([0; 4]), &RgbImage::new(4, 1)), None);
         assert_eq!(Difference::of(&RgbImage::new(0, 0), &RgbImage::new(0, 0)), None);
         let why = Difference::of_files(Path::new("nowhere.png"), Path::new("nowhere.png")).unwrap_err();
         assert!(why.starts_with("nowhere.png: "), "{why}");

@@ -5,12 +5,12 @@ use ray_sphere::Sphere;
 
 use crate::Box3;
 
-/// A sphere around all of a box: its center in the middle, its radius half the diagonal. `None` where it would not be
-/// finite in R.
+/// A sphere around all of a box: its center in the middle, its radius half the diagonal. `None` where it
+/// would not be finite in R.
 ///
-/// The middle is rounded to R, and then each corner is no farther than the farthest face on every axis, so the radius
-/// is the length of those three distances; its few roundings are made up for by four units of the last digit of
-/// `f64`, and then it is rounded up to R.
+/// The middle is rounded to R, and then each corner is no farther than the farthest face on every axis, so
+/// the radius is the length of those three distances; its few roundings are made up for by four units of the
+/// last digit of `f64`, and then it is rounded up to R.
 pub fn sphere_around<R: Real>(bounds: &Box3) -> Option<Sphere<R>> {
     let [low, high] = [bounds.low, bounds.high].map(|corner| corner.map(f64::from));
     let middle: [R; 3] = std::array::from_fn(|axis| R::round_from((low[axis] + high[axis]) / 2.0));

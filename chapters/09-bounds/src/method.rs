@@ -21,8 +21,8 @@ pub enum Method {
 
 /// From so many parts on a tree of eight by eight is faster than trying them all; with fewer none is built.
 ///
-/// Measured by `cargo run --release -p bounds -- trade`, whose line `crossover` names the number of spheres from which on
-/// `wide` takes less time than `none`.
+/// Measured by `cargo run --release -p bounds -- trade`, whose line `crossover` names the number of spheres
+/// from which on `wide` takes less time than `none`.
 pub const CROSSOVER: usize = 12;
 
 impl Method {

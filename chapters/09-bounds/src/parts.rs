@@ -10,8 +10,8 @@ use crate::Box3;
 
 /// The objects of a scene in parts: a mesh has a part for each of its faces, every other object is one.
 ///
-/// Parts are in the order of the objects and of their faces, so that on a tie the earlier part is the one that the
-/// signature's loop sees.
+/// Parts are in the order of the objects and of their faces, so that on a tie the earlier part is the one
+/// that the signature's loop sees.
 #[derive(Debug)]
 pub struct Parts<'a, R: Real> {
     scene: &'a Scene<R>,
@@ -64,14 +64,15 @@ impl<'a, R: Real> Parts<'a, R> {
         &self.scene.objects[self.object(part)].shape
     }
 
-    /// The face that a part is, of a mesh: its place among the mesh's faces. `None` for an object that is no mesh.
+    /// The face that a part is, of a mesh: its place among the mesh's faces. `None` for an object that is no
+    /// mesh.
     pub fn face(&self, part: usize) -> Option<usize> {
         let Part { object, face } = self.all[part];
         matches!(self.scene.objects[object as usize].shape, Shape::Mesh(_)).then_some(face as usize)
     }
 
-    /// The t of the nearest hit of a part in `span`, by the robust method of its chapter, whose verdict is exact:
-    /// so what a bound leaves out would not have been hit.
+    /// The t of the nearest hit of a part in `span`, by the robust method of its chapter, whose verdict is
+    /// exact: so what a bound leaves out would not have been hit.
     #[inline]
     pub fn hit(&self, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<R> {
         self.whole_hit(Method::Robust, part, ray, span).map(|hit| hit.t)
@@ -87,7 +88,8 @@ impl<'a, R: Real> Parts<'a, R> {
         }
     }
 
-    /// The same with the point and the normal, by either method; of a mesh the normal of the face. `None` for a miss.
+    /// The same with the point and the normal, by either method; of a mesh the normal of the face. `None` for
+    /// a miss.
     #[inline]
     pub fn whole_hit(&self, method: Method, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<Hit3<R>> {
         let Part { object, face } = self.all[part];
@@ -143,11 +145,13 @@ fn around(corners: [[f64; 3]; 2]) -> Box3 {
     Box3::around::<f64>(corners.map(Into::into))
 }
 
-/// The box around a deformed solid. Along an axis e the point A x̄ + t is at most t_e + max (Aᵀe) · x̄ away, and over
-/// the unit sphere that is the length of A's row; over the cylinder the length of its first two numbers and the size
-/// of the third; over the cone the greater of the apex, a_3, and the base, half the length of the first two.
+/// The box around a deformed solid. Along an axis e the point A x̄ + t is at most t_e + max (Aᵀe) · x̄ away,
+/// and over the unit sphere that is the length of A's row; over the cylinder the length of its first two
+/// numbers and the size of the third; over the cone the greater of the apex, a_3, and the base, half the
+/// length of the first two.
 ///
-/// Each of these sums and roots is rounded a few times, by less than 8 units of the last digit of its largest part.
+/// Each of these sums and roots is rounded a few times, by less than 8 units of the last digit of its largest
+/// part.
 fn deformed_box<R: Real>(deformed: &affine::Deformed<R>) -> Option<Box3> {
     let rows = deformed.affine.a.rows().map(|row| row.map(Into::<f64>::into));
     let t: [f64; 3] = deformed.affine.t.in_f64();

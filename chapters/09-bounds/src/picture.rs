@@ -74,8 +74,8 @@ fn tests(pixel: &Pixel) -> u64 {
     pixel.counts.boxes + pixel.counts.tests
 }
 
-/// Stations of the color scale, which is even from dark to bright and told apart without red and green: each twice
-/// as bright to the eye as the last, from black over blue, violet and orange to pale yellow.
+/// Stations of the color scale, which is even from dark to bright and told apart without red and green: each
+/// twice as bright to the eye as the last, from black over blue, violet and orange to pale yellow.
 const SCALE: [[u8; 3]; 6] =
     [[8, 8, 16], [46, 30, 110], [132, 38, 120], [213, 70, 80], [250, 150, 50], [252, 250, 170]];
 
@@ -91,8 +91,8 @@ fn color(share: f64) -> Color {
     Color([0, 1, 2].map(mixed))
 }
 
-/// Every pixel by its tests against the dearest pixel's, a scale of colors, and a ring around the pixel that is
-/// explained.
+/// Every pixel by its tests against the dearest pixel's, a scale of colors, and a ring around the pixel that
+/// is explained.
 pub(crate) fn draw(cost: &Cost, pixel: (u32, u32)) -> Result<Canvas, Error> {
     let most = cost.pixels.iter().map(tests).max().unwrap_or(0).max(1);
     let mut canvas = Canvas::new(cost.size, Color::BLACK)?;

@@ -1,9 +1,9 @@
 //! The extent of an object in the picture.
 //!
-//! CSC418 11.5: "we could project the extent onto the image plane so you don't need to cast rays to determine potential
-//! for intersections." The eight corners of the object's box are projected, and the object is tried in the pixels of
-//! the rectangle around them only: no ray is asked, two whole numbers are compared. It serves the rays of the eye and no
-//! others.
+//! CSC418 11.5: "we could project the extent onto the image plane so you don't need to cast rays to determine
+//! potential for intersections." The eight corners of the object's box are projected, and the object is tried
+//! in the pixels of the rectangle around them only: no ray is asked, two whole numbers are compared. It
+//! serves the rays of the eye and no others.
 
 use std::ops::RangeInclusive;
 
@@ -60,7 +60,8 @@ impl Extents {
 
 /// The rectangle of a box; `None` where it lies outside the picture, or behind the eye.
 ///
-/// All of the picture where some corners are level with the eye or behind it: such a corner has no place in the picture.
+/// All of the picture where some corners are level with the eye or behind it: such a corner has no place in
+/// the picture.
 pub fn rectangle<R: Real>(scene: &Scene<R>, bounds: &Box3) -> Option<Rectangle> {
     let (width, height) = scene.size;
     let all = Rectangle { cols: 0..=width - 1, rows: 0..=height - 1 };
@@ -115,7 +116,8 @@ enum Place {
     Behind,
     /// So near to it that rounding decides.
     Level,
-    /// In the picture's plane: column and row, not rounded; and how large its distance is on any axis, and along w.
+    /// In the picture's plane: column and row, not rounded; and how large its distance is on any axis, and
+    /// along w.
     At { place: [f64; 2], size: f64, z: f64 },
 }
 
@@ -155,8 +157,9 @@ impl View {
             }
             Grid::Edges => ([left, top], [(right - left) / (width - 1.0), (bottom - top) / (height - 1.0)]),
         };
-        // What a ray of R is off: its x and y by four roundings of at most the window's edge, its direction by four more of
-        // x u, y v, f w, and u, v, w are unit vectors at right angles but for four. 16 units cover all.
+        // What a ray of R is off: its x and y by four roundings of at most the window's edge, its direction
+        // by four more of x u, y v, f w, and u, v, w are unit vectors at right angles but for four. 16 units
+        // cover all.
         let rounding = 16.0 * 2.0_f64.powi(-(R::DIGITS as i32));
         let reach = left.abs().max(right.abs()) + bottom.abs().max(top.abs()) + f;
         let has_depth = rounding * reach <= f / 2.0;
@@ -165,9 +168,10 @@ impl View {
 
     /// By how many columns and rows a ray may pass beside the place where a point that it meets is projected.
     ///
-    /// With δ for the rounding times the reach, x and y of a ray are off by δ, and so is f, by which they are divided: so the
-    /// place is off by δ (1 + reach/f) f/(f − δ), which is at most twice δ (1 + reach/f). The corners of a box, up to
-    /// `size_to_z` times as large as their z, are rounded here, in `f64`, by 8 units each. A pixel more covers the ends.
+    /// With δ for the rounding times the reach, x and y of a ray are off by δ, and so is f, by which they are
+    /// divided: so the place is off by δ (1 + reach/f) f/(f − δ), which is at most twice δ (1 + reach/f). The
+    /// corners of a box, up to `size_to_z` times as large as their z, are rounded here, in `f64`, by 8 units
+    /// each. A pixel more covers the ends.
     fn off(&self, size_to_z: f64) -> [f64; 2] {
         let sideways = self.reach / self.f;
         let of_ray = 2.0 * self.rounding * self.reach * (1.0 + sideways);
@@ -207,8 +211,8 @@ mod tests {
         rectangle(&scene, &Box3 { low, high })
     }
 
-    /// By hand: at z = 2 the window is 4 wide, so x from 0 to 0.8 is columns 5 and 6, and one more on either side and
-    /// what is rounded outward; y from 1.2 to 2 is rows 0 and 1.
+    /// By hand: at z = 2 the window is 4 wide, so x from 0 to 0.8 is columns 5 and 6, and one more on either
+    /// side and what is rounded outward; y from 1.2 to 2 is rows 0 and 1.
     #[test]
     fn a_box_has_its_rectangle() {
         let Rectangle { cols, rows } = seen([0.0, 1.2, 2.0], [0.8, 2.0, 2.0]).unwrap();
@@ -218,8 +222,9 @@ mod tests {
         assert_eq!(seen([-1.0, -1.0, -3.0], [1.0, 1.0, -2.0]), None, "behind the eye");
     }
 
-    /// The corner (1, 1, −1) would be at (−1, −1): a box from there to (2, 2, 4), seen up and to the right of the
-    /// middle, would be projected to what is between (−1, −1) and (½, ½) and the pixels outside of it were not asked.
+    /// The corner (1, 1, −1) would be at (−1, −1): a box from there to (2, 2, 4), seen up and to the right of
+    /// the middle, would be projected to what is between (−1, −1) and (½, ½) and the pixels outside of it
+    /// were not asked.
     #[test]
     fn as_printed_a_corner_behind_the_eye_is_projected_upside_down() {
         let project = |[x, y, z]: [f64; 3]| [x / z, y / z];

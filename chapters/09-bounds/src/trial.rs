@@ -1,12 +1,14 @@
 //! One ray, one part after the other: which is hit first?
 //!
-//! The robust methods say so exactly. They need not be asked for every part: a glance in plain `f64` tells nearly always
-//! that a part is not met, or that it is nearer or farther than the nearest so far ([`math::glance`]). What is close is
-//! decided by the robust λ, and so the answer is the one that the robust methods alone would give.
+//! The robust methods say so exactly. They need not be asked for every part: a glance in plain `f64` tells
+//! nearly always that a part is not met, or that it is nearer or farther than the nearest so far
+//! ([`math::glance`]). What is close is decided by the robust λ, and so the answer is the one that the robust
+//! methods alone would give.
 //!
-//! The notes' formulas are sometimes wrong about a ray that passes by, and which of the parts a ray is tried on depends
-//! on the bounds; so would then what is seen. To be the same by every bound, a hit of theirs counts only where the ray is
-//! in the part's own box, and not before it enters that box: a bound in which that box is leaves no such hit out.
+//! The notes' formulas are sometimes wrong about a ray that passes by, and which of the parts a ray is tried
+//! on depends on the bounds; so would then what is seen. To be the same by every bound, a hit of theirs
+//! counts only where the ray is in the part's own box, and not before it enters that box: a bound in which
+//! that box is leaves no such hit out.
 
 use std::hint::black_box;
 
@@ -93,8 +95,8 @@ impl<R: Real> Nearest<R> {
 }
 
 impl<R: Real> Tried<'_, R> {
-    /// A glance at many spheres does not tell which of them it is to be tried on: it is tried by the notes' formulas, or
-    /// carried into a space of each part's own.
+    /// A glance at many spheres does not tell which of them it is to be tried on: it is tried by the notes'
+    /// formulas, or carried into a space of each part's own.
     #[inline(always)]
     pub(crate) fn is_tried_on_all(&self) -> bool {
         self.boxes.is_some() || self.carried.is_some()

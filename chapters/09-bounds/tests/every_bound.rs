@@ -201,8 +201,8 @@ fn every_bound_sees_what_the_signature_sees() {
     scenes::<f32>(2, 1.0, 12);
 }
 
-/// Nearly along the plane of the eye, where what is rounded of a direction is many pixels, or more than its way into
-/// the scene.
+/// Nearly along the plane of the eye, where what is rounded of a direction is many pixels, or more than its
+/// way into the scene.
 #[test]
 fn windows_that_are_very_wide() {
     for (at, wide) in [1e2, 1e4, 1e7, 1e9].into_iter().enumerate() {
@@ -213,8 +213,8 @@ fn windows_that_are_very_wide() {
     }
 }
 
-/// A sphere so far away that the notes' discriminant has no digit left, and rays that pass at any part of its box. What the
-/// notes see they see by every bound.
+/// A sphere so far away that the notes' discriminant has no digit left, and rays that pass at any part of its
+/// box. What the notes see they see by every bound.
 #[test]
 fn by_the_notes_every_bound_sees_the_same() {
     let mut numbers = Numbers(3);

@@ -14,7 +14,8 @@ use crate::picture::{color, lighting};
 use crate::render::{Landed, Rendered, Work};
 use crate::{Landing, Lighting, Rgb, Scene, Start, from_file};
 
-/// One pixel of a part of the picture. `pixel` is where that is in the whole picture, `own` where in the part.
+/// One pixel of a part of the picture. `pixel` is where that is in the whole picture, `own` where in the
+/// part.
 pub(crate) fn explain<R: Real>(
     transcript: &mut Transcript,
     ask: &Ask,

@@ -11,7 +11,8 @@ use crate::{Light, Material, Painted, Rgb, Scene, Texture, Textured};
 
 /// The scene of a file, for a picture of `size` pixels; `None`: of the size that the file says.
 ///
-/// An [`Error`] with its place as [`signature::from_file::scene`] gives it, and where a light is too far away for R.
+/// An [`Error`] with its place as [`signature::from_file::scene`] gives it, and where a light is too far away
+/// for R.
 pub fn scene<R: Real>(file: &scene_file::Scene, size: Option<(u32, u32)>) -> Result<Scene<R>, Error> {
     Ok(Scene {
         geometry: signature::from_file::scene(file, size)?,

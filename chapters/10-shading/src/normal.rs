@@ -1,9 +1,10 @@
 //! The normal, three ways (CSC418 11.6).
 //!
-//! Of a surface f(p̄) = 0 it is the gradient at unit length, ∇f / ‖∇f‖. Of a surface s(α, β) it is the cross product of the
-//! two tangents, ∂s/∂α × ∂s/∂β, at unit length; its sign depends on the order of the parameters, and outward has to be
-//! chosen (slip 27). Of a mesh it is the face's, or interpolated between the corners. Where a surface can be written in all
-//! three ways they agree: the first two to the last digits, the third as far as the mesh is the surface.
+//! Of a surface f(p̄) = 0 it is the gradient at unit length, ∇f / ‖∇f‖. Of a surface s(α, β) it is the cross
+//! product of the two tangents, ∂s/∂α × ∂s/∂β, at unit length; its sign depends on the order of the
+//! parameters, and outward has to be chosen (slip 27). Of a mesh it is the face's, or interpolated between
+//! the corners. Where a surface can be written in all three ways they agree: the first two to the last
+//! digits, the third as far as the mesh is the surface.
 
 use math::{Real, Vector};
 
@@ -53,8 +54,9 @@ pub fn by_gradient<R: Real>(shape: Smooth, p: R::Vec3) -> ByGradient<R> {
     ByGradient { gradient, n: gradient.normalized() }
 }
 
-/// The second way, with α around the z axis and β along it: s = (ρ cos α, ρ sin α, z), where ρ is the distance from the
-/// axis. At a point on the axis, where every α is the same point, the tangents and n⃗ are not numbers or zero.
+/// The second way, with α around the z axis and β along it: s = (ρ cos α, ρ sin α, z), where ρ is the
+/// distance from the axis. At a point on the axis, where every α is the same point, the tangents and n⃗ are
+/// not numbers or zero.
 ///
 /// - Sphere: ρ = cos β, z = sin β.
 /// - Cylinder: ρ = 1, z = β.
@@ -96,8 +98,8 @@ mod tests {
         ]
     }
 
-    /// The closed forms: of the sphere p̄ itself; of the cylinder the way from the axis; of the cone 2 away from the axis
-    /// and 1 up.
+    /// The closed forms: of the sphere p̄ itself; of the cylinder the way from the axis; of the cone 2 away
+    /// from the axis and 1 up.
     #[test]
     fn gradient_and_tangents_agree_with_the_closed_form() {
         for (shape, p) in points() {

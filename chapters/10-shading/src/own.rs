@@ -21,11 +21,12 @@ pub(crate) fn file() -> Result<scene_file::Scene, Error> {
 /// The scales of the small scene.
 pub(crate) const SCALES: [f64; 5] = [1e-6, 1e-3, 1.0, 1e3, 1e6];
 
-/// Where the small scene stands, in scales: as scenes do, not at the origin, so that its coordinates have something to round.
+/// Where the small scene stands, in scales: as scenes do, not at the origin, so that its coordinates have
+/// something to round.
 const AWAY: [f64; 3] = [-31.0, 17.0, 23.0];
 
-/// What second rays have to get right, all of it `scale` times as large: a ball on the ground, a drum beside it, and their
-/// shadows, in a picture of `size` pixels.
+/// What second rays have to get right, all of it `scale` times as large: a ball on the ground, a drum beside
+/// it, and their shadows, in a picture of `size` pixels.
 ///
 /// [`Error::Request`] where the grid has no such picture.
 pub(crate) fn small<R: Real>(scale: f64, size: (u32, u32)) -> Result<Scene<R>, Error> {

@@ -1,5 +1,5 @@
-//! The picture: the terms of the chapter's scene one by one and together, and below them the small scene at every scale,
-//! its second rays started by every method.
+//! The picture: the terms of the chapter's scene one by one and together, and below them the small scene at
+//! every scale, its second rays started by every method.
 
 use bounds::Bounded;
 use math::Real;
@@ -11,7 +11,8 @@ use crate::own::{self, SCALES};
 use crate::render::{Rendered, Seen, render};
 use crate::{Lighting, Rgb, Scene, Start, from_file};
 
-/// A scene lit in this chapter's way: every second ray is tried on everything, so that a start has to prove itself.
+/// A scene lit in this chapter's way: every second ray is tried on everything, so that a start has to prove
+/// itself.
 pub(crate) fn lighting<'a, R: Real>(
     scene: &'a Scene<R>,
     bounded: &'a Bounded<'a, R>,
@@ -20,7 +21,8 @@ pub(crate) fn lighting<'a, R: Real>(
     Lighting { scene, bounded, start, idle_shadows: false, again: Again::Counted }
 }
 
-/// All parts, each with what is drawn in it. Terms of the scene that are drawn as large as each other are rendered once.
+/// All parts, each with what is drawn in it. Terms of the scene that are drawn as large as each other are
+/// rendered once.
 pub(crate) fn all<R: Real>(
     ask: &Ask,
     file: &scene_file::Scene,

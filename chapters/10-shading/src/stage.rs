@@ -12,8 +12,8 @@ use crate::{Start, explain, own, picture, report};
 /// The stage `shading`.
 pub struct Shading;
 
-/// The pixel that is explained when none is asked for: on the ball, in both lights, and in acne where nothing is done about
-/// it.
+/// The pixel that is explained when none is asked for: on the ball, in both lights, and in acne where nothing
+/// is done about it.
 const WORKED: (u32, u32) = (110, 180);
 
 impl Chapter for Shading {

@@ -17,7 +17,8 @@ fn value(sections: &[Section], symbol: &str) -> Option<Value> {
     steps.rfind(|step| step.symbol == symbol).map(|step| step.value.clone())
 }
 
-/// The three bytes that the transcript ends with are those of the picture, in every part of it, by every method.
+/// The three bytes that the transcript ends with are those of the picture, in every part of it, by every
+/// method.
 #[test]
 fn what_is_explained_is_what_is_drawn() {
     let size = (480, 433);
@@ -101,8 +102,8 @@ fn a_light_inside_of_a_ball_lights_nothing_outside() {
     }
 }
 
-/// A light that lies on a surface is not behind it: what looks at it is lit, but for the surface itself, for which it is
-/// level.
+/// A light that lies on a surface is not behind it: what looks at it is lit, but for the surface itself, for
+/// which it is level.
 #[test]
 fn a_light_on_a_surface_is_seen_from_before_it() {
     let ground = "[[object]]\nplane = { point = [0, 0, 0], normal = [0, 1, 0] }\nmaterial = \"m\"\n";
@@ -127,7 +128,8 @@ fn coincident_surfaces_are_one() {
     assert!(once.pixels == twice.pixels && once.work.blocked > 0);
 }
 
-/// Lights that no number can reach from a point, a light at a point that is seen, and a scene without any light.
+/// Lights that no number can reach from a point, a light at a point that is seen, and a scene without any
+/// light.
 #[test]
 fn odd_lights_are_no_trouble() {
     let far = [1e308, 1e308, 1e308];

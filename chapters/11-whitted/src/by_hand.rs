@@ -11,7 +11,8 @@ use signature::Method;
 
 use crate::{Requirements, Tracer, Tree, from_file, render};
 
-/// All rays of a picture of one pixel, looking along `forward`; with what the scene requires, and with everything.
+/// All rays of a picture of one pixel, looking along `forward`; with what the scene requires, and with
+/// everything.
 fn trees<R: Real>(eye: [f64; 3], forward: [f64; 3], text: &str) -> Vec<Tree<R>> {
     let up = if forward[1] == 0.0 { [0, 1, 0] } else { [0, 0, 1] };
     let camera = format!("[camera]\neye = {eye:?}\nforward = {forward:?}\nup = {up:?}\nsize = [1, 1]\n");

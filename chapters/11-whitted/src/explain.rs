@@ -1,4 +1,5 @@
-//! `--explain`: what the scene requires and what it does not, and what it would cost to model everything instead.
+//! `--explain`: what the scene requires and what it does not, and what it would cost to model everything
+//! instead.
 
 mod cost;
 

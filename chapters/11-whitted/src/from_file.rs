@@ -22,8 +22,8 @@ pub fn scene<R: Real>(
     })
 }
 
-/// Puts a white texture on every object of a scene that has none and a shape with (u, v): then (u, v) is worked out
-/// wherever it can be, and the colors are the same. `file` is where the scene is from.
+/// Puts a white texture on every object of a scene that has none and a shape with (u, v): then (u, v) is
+/// worked out wherever it can be, and the colors are the same. `file` is where the scene is from.
 pub fn idle_textures<R: Real>(scene: &mut Scene<R>, file: &scene_file::Scene) {
     let white = Texture::Checker { colors: [Rgb::WHITE; 2], scale: 1.0 };
     for (painted, it) in scene.lit.painted.iter_mut().zip(&file.objects) {

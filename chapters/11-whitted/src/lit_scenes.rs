@@ -1,4 +1,5 @@
-//! Scenes for tests: the chapter's own ones, and those of chapter 08 with lights and with materials that mirror and let through.
+//! Scenes for tests: the chapter's own ones, and those of chapter 08 with lights and with materials that
+//! mirror and let through.
 
 use bounds::Parts;
 use math::Real;
@@ -23,7 +24,8 @@ pub(crate) const OF_CHAPTER_08: [&str; 11] = [
     "gears1",
 ];
 
-/// The chapter's own scenes, and each of chapter 08's as it is, with materials that bend, and with such as do not.
+/// The chapter's own scenes, and each of chapter 08's as it is, with materials that bend, and with such as do
+/// not.
 pub(crate) fn all() -> Vec<(String, File)> {
     let own = crate::scenes::SCENES.iter().map(|scene| (scene.name.to_string(), scene.file().unwrap()));
     let mut all: Vec<(String, File)> = own.collect();

@@ -1,4 +1,5 @@
-//! The picture: the scene; and over the floor of the chapter's own, the rays of a pixel from above and the critical angle.
+//! The picture: the scene; and over the floor of the chapter's own, the rays of a pixel from above and the
+//! critical angle.
 
 mod above;
 mod angles;
@@ -15,11 +16,12 @@ use crate::{Kind, Tree};
 const FRAME: (f32, f32) = (960.0, 720.0);
 /// The smallest letters in it.
 const LETTERS: f32 = 12.0;
-/// The views are drawn where letters of this size are readable, at 5 pixels: then [`LETTERS`] have 7, which digits beside
-/// lines take.
+/// The views are drawn where letters of this size are readable, at 5 pixels: then [`LETTERS`] have 7, which
+/// digits beside lines take.
 const READABLE: f32 = LETTERS * 5.0 / 7.0;
 
-/// The rendering, and whether there is more; of the chapter's own scene with what stands below it, where there is room to read that.
+/// The rendering, and whether there is more; of the chapter's own scene with what stands below it, where
+/// there is room to read that.
 pub(crate) fn draw<R: Real>(
     rendered: &Rendered,
     shot: &Shot<'_, R>,

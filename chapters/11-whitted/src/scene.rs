@@ -31,8 +31,8 @@ impl<R: Real> Scene<R> {
         &self.optics[self.lit.painted[object].material]
     }
 
-    /// Whether an object has an inside, which a ray that goes through it enters and leaves. Flat things, meshes and open
-    /// cones have none.
+    /// Whether an object has an inside, which a ray that goes through it enters and leaves. Flat things,
+    /// meshes and open cones have none.
     #[inline(always)]
     pub fn is_solid(&self, object: usize) -> bool {
         use signature::Shape;

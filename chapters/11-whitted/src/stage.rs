@@ -96,8 +96,8 @@ impl Chapter for Whitted {
     }
 }
 
-/// The pixel that is explained when none is asked for: of the chapter's own scene the worked one, or where that is in a
-/// picture of another size; else the middle.
+/// The pixel that is explained when none is asked for: of the chapter's own scene the worked one, or where
+/// that is in a picture of another size; else the middle.
 fn worked(own: bool, size: (u32, u32)) -> (u32, u32) {
     let scaled = |at: u32, of: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(of)) as u32;
     match own {

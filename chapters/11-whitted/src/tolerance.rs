@@ -1,17 +1,18 @@
 //! Leaving out what nobody would see.
 //!
-//! A ray that was mirrored five times counts with the product of five coefficients. If all that it could bring is less
-//! than anybody wants to know, it need not be sent. How much it could bring follows from the scene: no surface is brighter
-//! than its local model in the light of all lights, plus what it mirrors and lets through of the brightest that there is
-//! one level deeper.
+//! A ray that was mirrored five times counts with the product of five coefficients. If all that it could
+//! bring is less than anybody wants to know, it need not be sent. How much it could bring follows from the
+//! scene: no surface is brighter than its local model in the light of all lights, plus what it mirrors and
+//! lets through of the brightest that there is one level deeper.
 //!
 //! ```text
 //! B(maxDepth) = max(background, L)      L = the largest of r_a I_a C + Σ I (r_d C + r_s)
 //! B(depth) = max(background, the largest of L + (r_g + r_t) B(depth + 1))
 //! ```
 //!
-//! A pixel may leave out rays until what they all could bring together is E; or a little less, as the sums that have
-//! them are rounded, and those that have them not are rounded in another way. Where B is infinite nothing is left out.
+//! A pixel may leave out rays until what they all could bring together is E; or a little less, as the sums
+//! that have them are rounded, and those that have them not are rounded in another way. Where B is infinite
+//! nothing is left out.
 
 use math::Real;
 
@@ -57,12 +58,12 @@ impl Tolerance {
             at_most[depth] = brightest;
             deeper = brightest;
         }
-        // Each level, here and in the tracer, rounds a product and a sum for each light and four more, each by half a unit of
-        // the last digit; and a radiance may be rounded up as much as this is rounded down.
+        // Each level, here and in the tracer, rounds a product and a sum for each light and four more, each
+        // by half a unit of the last digit; and a radiance may be rounded up as much as this is rounded down.
         let roundings = (2.0 * lit.lights.len() as f64 + 4.0) * depths as f64;
         at_most.iter_mut().for_each(|most| *most *= 1.0 + 2.0 * roundings * f64::EPSILON);
-        // What is not negative and no more than B(1) is off by that much too when it is added up over all levels and
-        // samples, once with the rays that are left out and once without.
+        // What is not negative and no more than B(1) is off by that much too when it is added up over all
+        // levels and samples, once with the rays that are left out and once without.
         let off = 2.0 * (roundings + SAMPLES) * f64::EPSILON * at_most.first().copied().unwrap_or(0.0);
         Tolerance { e, at_most, of_a_pixel: (e - off).max(0.0) }
     }
@@ -72,8 +73,8 @@ impl Tolerance {
         self.of_a_pixel
     }
 
-    /// B(depth) times a weight; infinite beyond the last depth. A weight that is too small for its digits counts as the
-    /// smallest that has them all.
+    /// B(depth) times a weight; infinite beyond the last depth. A weight that is too small for its digits
+    /// counts as the smallest that has them all.
     #[inline(always)]
     pub(crate) fn at_most(&self, weight: f64, depth: u32) -> f64 {
         let weight = weight.max(f64::MIN_POSITIVE);

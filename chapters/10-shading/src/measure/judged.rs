@@ -1,9 +1,9 @@
 //! What a second ray has to meet.
 //!
-//! Of a convex shape that stands alone that is known without any other method: a ray that leaves it meets nothing, and a
-//! ray that enters a solid meets it where it leaves. What is a little above it on all sides is met by every ray that
-//! leaves. (An open cone is convex to whom looks from outside; the eye's ray may come in through an end, and then the
-//! other wall may be met: such landings are not taken.)
+//! Of a convex shape that stands alone that is known without any other method: a ray that leaves it meets
+//! nothing, and a ray that enters a solid meets it where it leaves. What is a little above it on all sides is
+//! met by every ray that leaves. (An open cone is convex to whom looks from outside; the eye's ray may come
+//! in through an end, and then the other wall may be met: such landings are not taken.)
 
 use bounds::{Bounded, Query, Uncounted};
 use lab::Draw;
@@ -35,7 +35,8 @@ pub(crate) struct Faults {
 }
 
 impl Faults {
-    /// The share of rays with one fault or the other; at most 1, where a ray has both it counts once and a half at most.
+    /// The share of rays with one fault or the other; at most 1, where a ray has both it counts once and a
+    /// half at most.
     pub(crate) fn share(&self) -> f64 {
         (self.all() as f64 / self.cases.max(1) as f64).min(1.0)
     }
@@ -51,8 +52,8 @@ impl Faults {
     }
 }
 
-/// So many landings with a direction each: the same for every remedy. Fewer where the rays do not find the shape, which
-/// at f32 far away has no size.
+/// So many landings with a direction each: the same for every remedy. Fewer where the rays do not find the
+/// shape, which at f32 far away has no size.
 pub(crate) fn cases<R: Real>(object: &Object<R>, bounded: &Bounded<'_, R>, count: usize) -> Vec<Case<R>> {
     let mut draw = object.draw();
     let mut cases = Vec::with_capacity(count);

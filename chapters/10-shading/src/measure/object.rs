@@ -18,7 +18,8 @@ use super::regimes::{Kind, Regime, Way};
 pub(crate) struct Object<R: Real> {
     /// The scene in which nothing else is.
     pub(crate) alone: Scene<R>,
-    /// What is 1e-4 of its size above it: no ray that leaves it can miss that. `None` where there is no such thing.
+    /// What is 1e-4 of its size above it: no ray that leaves it can miss that. `None` where there is no such
+    /// thing.
     pub(crate) shell: Option<Shape<R>>,
     /// Where the second ray goes.
     pub(crate) way: Way,

@@ -59,7 +59,8 @@ fn every_other_remedy_fails_somewhere() {
     assert_eq!(double("into-sphere", Start::Bound).leaks, Some(0));
 }
 
-/// Refracted rays go into a solid: not one of them may miss its other side, nor meet the one that it came through.
+/// Refracted rays go into a solid: not one of them may miss its other side, nor meet the one that it came
+/// through.
 #[test]
 fn what_enters_a_solid_meets_its_other_side() {
     let is_solid = |regime: &&Regime| {

@@ -22,7 +22,8 @@ impl Candidate<'_> {
         self.all.iter().all(|(_, entry)| entry.faults.all() == 0)
     }
 
-    /// The faults of one kind: in how many regimes there are some, and where they are the most; `None` where there are none.
+    /// The faults of one kind: in how many regimes there are some, and where they are the most; `None` where
+    /// there are none.
     fn most(&self, what: &str, count: impl Fn(&Entry) -> u64) -> Option<String> {
         let share = |entry: &Entry| entry.faults.per_million(count(entry));
         let some: Vec<_> = self.all.iter().filter(|(_, entry)| count(entry) > 0).collect();
@@ -66,7 +67,8 @@ fn candidates(measured: &[Measured]) -> Vec<Candidate<'_>> {
     first.entries.iter().map(|entry| Candidate { first: entry, all: all(entry) }).collect()
 }
 
-/// For each regime the fastest that is never wrong in it, then what each loses in others, and what that leaves.
+/// For each regime the fastest that is never wrong in it, then what each loses in others, and what that
+/// leaves.
 pub(super) fn sentences(measured: &[Measured]) -> String {
     let candidates = candidates(measured);
     let mut text = in_one_regime(measured, &candidates);

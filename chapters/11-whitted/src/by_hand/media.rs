@@ -40,8 +40,8 @@ fn an_eye_inside_nested_solids() {
     }
 }
 
-/// Two that overlap, z from −2 to 2 and from −1 to 3: which one the eye's ray entered last depends on where it looks, and
-/// the first to be left is not the last that was entered.
+/// Two that overlap, z from −2 to 2 and from −1 to 3: which one the eye's ray entered last depends on where
+/// it looks, and the first to be left is not the last that was entered.
 #[test]
 fn an_eye_where_two_solids_overlap() {
     let scene = glasses([1.5, 1.2, 1.0]) + &ball("m1", [0.0; 3], 2.0) + &ball("m2", [0.0, 0.0, 1.0], 2.0);
@@ -79,11 +79,13 @@ fn surfaces_are_passed_unbent() {
     assert_eq!(passed([0.0, 0.0, 9.0], [0.0, 0.0, -1.0], &scene), expected);
 }
 
-/// Cylinders and cones are solids too. The eye is in both, the cylinder from z = −1 to 1, the cone from 0 to 1.
+/// Cylinders and cones are solids too. The eye is in both, the cylinder from z = −1 to 1, the cone from 0 to
+/// 1.
 #[test]
 fn an_eye_in_a_cylinder_and_a_cone() {
     let scene = glasses([1.5, 1.2, 1.0]) + &of("m2", "cone = {}") + &of("m1", "cylinder = {}");
-    // by hand: up the axis the cone's apex is on the cylinder's cap, so aside: the cone ends at x = 0.25 for z = 0.5
+    // by hand: up the axis the cone's apex is on the cylinder's cap, so aside: the cone ends at x = 0.25 for
+    // z = 0.5
     assert_eq!(passed([0.0, 0.0, 0.5], [1.0, 0.0, 0.0], &scene), [(1.2, 1.5), (1.5, 1.0)]);
 }
 
@@ -94,8 +96,9 @@ fn coincident_solids_let_light_through() {
     assert_eq!(passed([0.0, 0.0, 9.0], [0.0, 0.0, -1.0], &scene), [(1.0, 1.5), (1.5, 1.0)]);
 }
 
-/// By hand: in glass of 1.5 the critical angle is 41.8°; from (0, 0, 0.8) sideways sin θ1 = 0.8: nothing is refracted, and
-/// the mirror term stays as it is, 0.25 of the local term 0.1 of the next hit, and so on to depth 3.
+/// By hand: in glass of 1.5 the critical angle is 41.8°; from (0, 0, 0.8) sideways sin θ1 = 0.8: nothing is
+/// refracted, and the mirror term stays as it is, 0.25 of the local term 0.1 of the next hit, and so on to
+/// depth 3.
 #[test]
 fn total_internal_reflection_loses_what_would_be_refracted() {
     let glass = "max_depth = 3\nbackground = [9, 9, 9]\n[material.m]\ndiffuse = 0\nmirror = 0.25\ntransmit = 0.75\nior = 1.5\n";

@@ -50,8 +50,8 @@ fn more_light_may_leave_than_comes_in() {
     assert_sees([0.0, 0.0, 1.0], [0.0, 0.0, -1.0], &scene, [2.0; 3]);
 }
 
-/// Four half-transparent mirrors at z = ±1 and ±2: nearly every ray becomes two, and not all of them are kept. What comes
-/// of it follows along the line, without geometry: `gap` counts the walls below the ray.
+/// Four half-transparent mirrors at z = ±1 and ±2: nearly every ray becomes two, and not all of them are
+/// kept. What comes of it follows along the line, without geometry: `gap` counts the walls below the ray.
 #[test]
 fn rays_that_are_not_kept_are_added_up() {
     fn e(gap: i32, up: bool, depth: u32) -> (f64, u64) {

@@ -4,7 +4,8 @@ use super::*;
 
 const DOWN_Z: [f64; 3] = [0.0, 0.0, -1.0];
 
-/// The page's "Ig = Ispec + Irefr", its variables set only where something is computed: elsewhere they are what they were.
+/// The page's "Ig = Ispec + Irefr", its variables set only where something is computed: elsewhere they are
+/// what they were.
 #[derive(Default)]
 struct AsPrinted {
     spec: f64,
@@ -19,8 +20,8 @@ impl AsPrinted {
     }
 }
 
-/// Slip 18. A mirror, r_g = 0.5, that sees a matte ball, and after it that ball itself, with r_a = 0.1 both and without a
-/// light. By hand the mirror brings 0.5 · 0.1, and the ball nothing.
+/// Slip 18. A mirror, r_g = 0.5, that sees a matte ball, and after it that ball itself, with r_a = 0.1 both
+/// and without a light. By hand the mirror brings 0.5 · 0.1, and the ball nothing.
 #[test]
 fn as_printed_a_matte_surface_mirrors_what_was_mirrored_before() {
     let mut printed = AsPrinted::default();
@@ -35,8 +36,8 @@ fn as_printed_a_matte_surface_mirrors_what_was_mirrored_before() {
     assert_sees([0.0, 0.0, 5.0], [0.0, 0.0, 1.0], &scene, [0.1; 3]);
 }
 
-/// Slip 26: E = r_a I_a + … + r_g I_spec. A clear pane adds nothing of its own: as printed it is black, and by the page's
-/// own pseudo-code what is behind it is seen.
+/// Slip 26: E = r_a I_a + … + r_g I_spec. A clear pane adds nothing of its own: as printed it is black, and
+/// by the page's own pseudo-code what is behind it is seen.
 #[test]
 fn as_printed_a_clear_pane_is_black() {
     let (r_a, r_d, r_g, r_t, background) = (0.0, 0.0, 0.0, 0.75, 0.5);
@@ -48,8 +49,8 @@ fn as_printed_a_clear_pane_is_black() {
     assert_sees([0.0, 0.0, 5.0], DOWN_Z, &scene, [printed + r_t * background; 3]);
 }
 
-/// Slip 26: findFirstHit(ā, b⃗) intersects "ray r⃗_ij(λ) and object", the pixel's ray whatever ā and b⃗ are. So a mirror sees
-/// in itself what the eye sees, the mirror, and not what is before it.
+/// Slip 26: findFirstHit(ā, b⃗) intersects "ray r⃗_ij(λ) and object", the pixel's ray whatever ā and b⃗ are.
+/// So a mirror sees in itself what the eye sees, the mirror, and not what is before it.
 #[test]
 fn as_printed_a_mirror_sees_itself() {
     let (r_a, r_g, background) = (0.1, 0.5, 1.0);

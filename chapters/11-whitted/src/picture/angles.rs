@@ -56,7 +56,8 @@ fn one(
     canvas.label((x, below), Anchor::Middle, LETTERS, Color::BLACK, &format!("θ_c = {critical:.2}°"));
 }
 
-/// Light that comes to the surface at θ1 degrees, and goes on from there. At the critical angle it leaves along the surface.
+/// Light that comes to the surface at θ1 degrees, and goes on from there. At the critical angle it leaves
+/// along the surface.
 fn ray(canvas: &mut Canvas, o: (f32, f32), n: f64, theta1: f64, width: f32) {
     let up = f64::vec3(0.0, 1.0, 0.0);
     let (sin, cos) = (math::portable::sin(theta1.to_radians()), math::portable::cos(theta1.to_radians()));

@@ -17,8 +17,8 @@ pub(super) enum Outline {
 }
 
 impl From {
-    /// A sphere's circle; of another solid or a mesh what its box covers; nothing for what is flat, as a floor would be
-    /// larger than all that stands on it.
+    /// A sphere's circle; of another solid or a mesh what its box covers; nothing for what is flat, as a
+    /// floor would be larger than all that stands on it.
     pub(super) fn outline<R: Real>(&self, shot: &Shot<'_, R>, object: usize) -> Option<Outline> {
         match &shot.scene.lit.geometry.objects[object].shape {
             Shape::Sphere(sphere) => {

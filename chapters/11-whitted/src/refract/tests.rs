@@ -22,8 +22,9 @@ fn the_critical_angles_of_the_page() {
     assert_eq!(critical_angle(1.0, 1.0), None);
 }
 
-/// Slip 14: "If c2 < c1, light bends towards the normal (e.g. air to water). If c2 < c1, light bends away from the normal
-/// (e.g. water to air)." One condition cannot do both, and from water into air it does not hold.
+/// Slip 14: "If c2 < c1, light bends towards the normal (e.g. air to water). If c2 < c1, light bends away
+/// from the normal (e.g. water to air)." One condition cannot do both, and from water into air it does not
+/// hold.
 #[test]
 fn as_printed_light_bends_both_ways_on_one_condition() {
     let (air, water) = (1.0, 1.33);
@@ -37,8 +38,8 @@ fn as_printed_light_bends_both_ways_on_one_condition() {
     }
 }
 
-/// Slip 28: 1.8 is dense flint. Light at 38° inside window glass, of 1.5, gets out of it, and out of the page's glass it
-/// does not: asin(1/1.5) = 41.8103°.
+/// Slip 28: 1.8 is dense flint. Light at 38° inside window glass, of 1.5, gets out of it, and out of the
+/// page's glass it does not: asin(1/1.5) = 41.8103°.
 #[test]
 fn as_printed_glass_keeps_light_that_leaves_a_window() {
     let out = |n| refract::<f64>(down(38.0), DVec3::Y, n, 1.0);

@@ -3,8 +3,8 @@ use crate::lit_scenes::{all, picture};
 use scene_file::Scene as File;
 use signature::Method;
 
-/// The largest difference in a channel to the full picture, and how many rays each took. Both may be infinite, and then
-/// they are the same.
+/// The largest difference in a channel to the full picture, and how many rays each took. Both may be
+/// infinite, and then they are the same.
 fn off<R: Real>(file: &File, depth: u32, e: f64) -> (f64, u64, u64) {
     let full = picture::<R>(file, Method::Robust, depth, |required| required, None);
     let less = picture::<R>(file, Method::Robust, depth, |required| required, Some(e));
@@ -88,8 +88,9 @@ fn the_bound_by_hand() {
     }
 }
 
-/// By hand: between two mirrors of r_g = 1 and r_a I_a C = 0.1 each ray brings 0.1, and the bounds are what comes: 0.5 at
-/// depth 1 of 5. Within 0.25 the rays of depth 4 and 5 can be left out, 0.2 together, and not that of depth 3 too.
+/// By hand: between two mirrors of r_g = 1 and r_a I_a C = 0.1 each ray brings 0.1, and the bounds are what
+/// comes: 0.5 at depth 1 of 5. Within 0.25 the rays of depth 4 and 5 can be left out, 0.2 together, and not
+/// that of depth 3 too.
 #[test]
 fn between_two_mirrors_the_bound_is_what_comes() {
     let text = "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\nwindow = [-1e-3, 1e-3, -1e-3, 1e-3]\n\

@@ -4,9 +4,10 @@
 //!
 //! He sends 513 × 513 rays through the corners of the pixels of a picture of 512 × 512, and goes down to
 //! depth 5. What 45 degrees wide means decides about the last half percent. Where the outermost *corners* are
-//! 45 degrees apart, which is our grid `edges`, there are up to 0.5 % more rays than he has; through `centers`,
-//! up to 0.9 %. Where the outermost *centers* are, a pixel is a 511th of the window wide, as in the notes
-//! (slip 15), and the corners lie half a pixel outside of it. That is what he must have done, as then
+//! 45 degrees apart, which is our grid `edges`, there are up to 0.5 % more rays than he has; through
+//! `centers`, up to 0.9 %. Where the outermost *centers* are, a pixel is a 511th of the window wide, as in
+//! the notes (slip 15), and the corners lie half a pixel outside of it. That is what he must have done, as
+//! then
 //!
 //! ```text
 //!          reflected                     shadow
@@ -18,10 +19,10 @@
 //! teapot   225,519        225,248          408,017      407,656
 //! ```
 //!
-//! teapot, by its file, is not made here (and its lid does not fit, he says). Nor is gears: its gears of glass
-//! mirrored in 1987 and do not in what his programs write today. With K_s above 0 in its file we come within
-//! 2 % of his 304,643 mirror rays and within 3 % of the others; he bends rays at polygons, which with us have
-//! no inside.
+//! teapot, by its file, is not made here (and its lid does not fit, he says). Nor is gears: its gears of
+//! glass mirrored in 1987 and do not in what his programs write today. With K_s above 0 in its file we come
+//! within 2 % of his 304,643 mirror rays and within 3 % of the others; he bends rays at polygons, which with
+//! us have no inside.
 
 mod balls;
 mod mount;

@@ -17,7 +17,8 @@ fn measured(entries: [Vec<Entry>; 2]) -> Vec<Measured> {
     REGIMES.into_iter().zip(entries).map(of).collect()
 }
 
-/// By hand: the faster one misses everything in the second regime, and the last line says so of whichever it is.
+/// By hand: the faster one misses everything in the second regime, and the last line says so of whichever it
+/// is.
 #[test]
 fn the_last_line_is_of_all_regimes() {
     for (good, bad) in [(Start::Bound, Start::Exclude), (Start::Fixed, Start::None)] {

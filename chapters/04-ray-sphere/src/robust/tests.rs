@@ -1,0 +1,82 @@
+use super::*;
+use glam::DVec3;
+
+fn work(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], radius: f64) -> Robust<f64> {
+    robust(&Ray3::new(origin.into(), direction.into()), &Sphere { center: center.into(), radius })
+}
+
+/// A tangent of whole numbers is one at every scale at which they are floats.
+#[test]
+fn a_tangent_is_a_tangent_at_every_scale() {
+    // by hand: the ray x = 3 in the direction of z touches the sphere of radius 3 around (0, 0, 8)
+    for power in [-1000, -300, -40, 0, 40, 300, 1000] {
+        let scale = 2.0_f64.powi(power);
+        let [x, r, z] = [3.0, 3.0, 8.0].map(|number| number * scale);
+        for length in [1.0, 1e-150, 1e150, 5e-324] {
+            let touching = work([x, 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r);
+            assert_eq!(touching.chord.half_chord_squared, 0.0, "scale 2^{power}, length {length:e}");
+            assert!(touching.roots().is_some_and(|roots| roots.near == roots.far));
+            // one digit farther out it misses, one digit farther in it hits
+            assert!(work([x.next_up(), 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r).roots().is_none());
+            let inside = work([x.next_down(), 0.0, 0.0], [0.0, 0.0, length], [0.0, 0.0, z], r);
+            assert!(inside.roots().is_some());
+        }
+    }
+}
+
+#[test]
+fn a_normal_has_length_one_however_far_the_sphere() {
+    for distance in [10.0, 1e8, 1e16, 1e40, 1e200] {
+        // aimed half a radius off the center, from an origin whose digits reach below the radius
+        let touching = work([0.5, 0.25, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, distance], 1.0);
+        let hit = touching.hit(Span::ahead()).unwrap().unwrap();
+        let closed_form = DVec3::new(0.5, 0.25, -(1.0 - 0.25 - 0.0625_f64).sqrt());
+        assert!((hit.normal - closed_form).length() < 1e-15, "{distance:e}: {:?}", hit.normal);
+    }
+}
+
+/// The two roots of an exact tangent are one number, also where it lies halfway between two floats.
+#[test]
+fn a_tangent_leaves_where_it_enters() {
+    let touching = work([6.0, 0.0, -1.659_619_002_541_466_4e16], [0.0, 0.0, 0.5], [0.0, 0.0, 3.0], 6.0);
+    let Roots { near, far } = touching.roots().unwrap();
+    assert_eq!(near, far);
+}
+
+#[test]
+fn a_point_near_the_eye_has_the_digits_of_the_eye_beside_a_huge_sphere() {
+    // the ground: y = 0 to within 1e−11 around the origin, seen from a height of 1
+    let radius = 2e11;
+    let hit = work([0.0, 1.0, 0.0], [0.6, -0.8, 0.0], [0.0, -radius, 0.0], radius);
+    let point = hit.hit(Span::ahead()).unwrap().unwrap().point;
+    // closed form: −x²/2r to the first order; x = 0.75
+    let y = -0.75 * 0.75 / (2.0 * radius);
+    assert!((point.y - y).abs() < f64::EPSILON, "{point}: the digits of p_r, not those of c");
+}
+
+#[test]
+fn an_origin_on_the_surface_touches_at_zero() {
+    // (2, 3, 6) lies on the sphere of radius 7; by hand, along −x it leaves at x = −2
+    let touching = work([2.0, 3.0, 6.0], [-1.0, 0.0, 0.0], [0.0; 3], 7.0);
+    assert_eq!(touching.chord.certainty, Certainty::Exact);
+    assert_eq!(touching.roots(), Some(Roots { near: 0.0, far: 4.0 }));
+    // a tangent there
+    let grazing = work([2.0, 3.0, 6.0], [3.0, -2.0, 0.0], [0.0; 3], 7.0);
+    assert_eq!(grazing.roots(), Some(Roots { near: 0.0, far: 0.0 }));
+}
+
+/// Each of the four ways is taken by the rays that it is for.
+#[test]
+fn four_ways() {
+    let at = |x: f64, z: f64| work([x, 0.0, z], [0.0, 0.0, 1.0], [0.0, 0.0, 8.0], 1.0).chord.certainty;
+    assert_eq!(at(2.0, 0.0), Certainty::AtOnce, "a clear miss");
+    assert_eq!(at(0.5, 0.0), Certainty::AtOnce, "a clear hit");
+    assert_eq!(at(1.0 - 1e-9, 0.0), Certainty::Corrected, "a hit next to a tangent");
+    assert_eq!(at(0.5, 7.13), Certainty::NearSurface, "an origin next to the surface");
+    assert_eq!(at(1.0, 0.0), Certainty::Exact, "a tangent");
+    let half_the_digits = robust(
+        &Ray3::<f32>::new(glam::Vec3::new(1.0 - 1e-5, 0.0, 0.0), glam::Vec3::Z),
+        &Sphere { center: glam::Vec3::new(0.0, 0.0, 8.0), radius: 1.0 },
+    );
+    assert_eq!(half_the_digits.chord.certainty, Certainty::AtOnce, "next to a tangent for an f32");
+}
