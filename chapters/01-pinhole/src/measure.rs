@@ -5,7 +5,7 @@
 
 use std::hint::black_box;
 
-use lab::{Draw, Effort, Nanoseconds, Pass, Progress, Runner, Ulps, asked_for, oracle, time};
+use lab::{Effort, Nanoseconds, Pass, Progress, Runner, Ulps, asked_for, oracle, time};
 use math::{Grid, Real, Wide, Window};
 use stage::{Error, Precision, TradeAsk};
 
@@ -161,9 +161,7 @@ impl Scene {
 
     /// Pixels of the picture, none likelier than another.
     fn pixels(&self, seed: u64, count: usize) -> Vec<(u32, u32)> {
-        let mut draw = Draw::new(seed, self.name, Precision::F64);
-        let mut below = |bound: u32| draw.below(u64::from(bound)) as u32;
-        (0..count).map(|_| (below(self.size.0), below(self.size.1))).collect()
+        lab::scenes::pixels(self.name, seed, self.size, count)
     }
 
     /// The window in a precision.

@@ -1,7 +1,8 @@
 //! What was measured, as records, as a table to read, and as the trade plot.
 
 use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
-use lab::table::{aligned, short, small, three_digits};
+use lab::scenes;
+use lab::table::{short, small, three_digits, under};
 use stage::{Drawing, Field, Precision, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured};
@@ -18,20 +19,9 @@ pub(crate) fn traded(measured: &[Measured], seed: u64) -> Traded {
 fn record(scene: &str, entry: &Entry, seed: u64) -> Record {
     let Entry { grid, precision, ns, off, on_front } = entry;
     let count = |count: Option<u64>| count.map_or(Field::Nothing, Field::Count);
-    vec![
-        ("method", Field::Text(grid.name().to_string())),
-        ("precision", Field::Text(precision.name().to_string())),
-        ("regime", Field::Text(scene.to_string())),
-        ("ns_per_ray", Field::Nothing),
-        ("cases", Field::Count(off.points)),
-        ("wrong_decisions", Field::Nothing),
-        ("t_ulp_median", Field::Nothing),
-        ("t_ulp_p99", Field::Nothing),
-        ("t_ulp_max", Field::Nothing),
-        ("pareto", Field::Flag(*on_front)),
-        ("ns_per_pixel", Field::Number(ns.median)),
-        ("ns_low", Field::Number(ns.low)),
-        ("ns_high", Field::Number(ns.high)),
+    let first = scenes::record(grid.name(), *precision, scene, off.points, *on_front);
+    let times = scenes::times("ns_per_pixel", ns);
+    let rest = [
         ("pixel_error_mean", Field::Number(off.mean())),
         ("pixel_error_max", Field::Number(off.worst)),
         ("lost_pixels", Field::Count(off.lost)),
@@ -39,7 +29,8 @@ fn record(scene: &str, entry: &Entry, seed: u64) -> Record {
         ("xy_ulp_p99", count(off.ulps.quantile(0.99))),
         ("xy_ulp_max", count(off.ulps.max())),
         ("seed", Field::Count(seed)),
-    ]
+    ];
+    first.into_iter().chain(times).chain(rest).collect()
 }
 
 fn plot(measured: &[Measured], seed: u64) -> TradePlot {
@@ -93,27 +84,22 @@ const HEADS: [&str; 10] = ["method", "", "ns", "", "error", "worst", "lost/M", "
 fn table(measured: &Measured) -> String {
     let Measured { scene, entries } = measured;
     let points = entries.first().map_or(0, |entry| entry.off.points);
-    let heads = HEADS.map(str::to_string).to_vec();
-    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
-    let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
-    format!("{}: {} · {points} pixels\n{}", scene.name, scene.what, aligned(&lines, &starred))
+    let lines = entries.iter().map(|entry| (cells(entry), entry.on_front));
+    format!("{}: {} · {points} pixels\n{}", scene.name, scene.what, under(&HEADS, lines))
 }
 
 fn cells(entry: &Entry) -> Vec<String> {
     let Entry { grid, precision, ns, off, .. } = entry;
     let whole = |count: Option<u64>| count.map_or("–".to_string(), |count| short(count as f64));
-    vec![
-        grid.name().to_string(),
-        precision.name().to_string(),
-        three_digits(ns.median),
-        format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
+    let rest = [
         small(off.mean()),
         small(off.worst),
         short(off.lost as f64 / off.points.max(1) as f64 * 1e6),
         whole(off.ulps.quantile(0.5)),
         whole(off.ulps.quantile(0.99)),
         whole(off.ulps.max()),
-    ]
+    ];
+    scenes::cells(grid.name(), *precision, ns).into_iter().chain(rest).collect()
 }
 
 /// An edge that is so much of a pixel off its place changes what it covers of a pixel by half a step of

@@ -5,7 +5,8 @@
 
 use std::hint::black_box;
 
-use lab::{Draw, Effort, Nanoseconds, Pass, Progress, Runner, asked_for, time};
+use lab::scenes::{file_named, pixels};
+use lab::{Effort, Nanoseconds, Pass, Progress, Runner, asked_for, time};
 use math::{Ray3, Real, Span};
 use stage::{Error, Precision, TradeAsk};
 
@@ -75,8 +76,8 @@ pub(crate) fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
     let own = asked_for(ask, SCENES.to_vec(), |scene| scene.name)?;
     let files: Vec<(String, String, scene_file::Scene)> = match &ask.scene {
         Some(path) => {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            vec![(name, path.display().to_string(), read(Some(path))?)]
+            let (name, what) = file_named(path);
+            vec![(name, what, read(Some(path))?)]
         }
         None => {
             let read = own.iter().map(|it| Ok((it.name.to_string(), it.what.to_string(), it.file()?)));
@@ -156,13 +157,6 @@ fn compared(name: &str, seed: u64, size: (u32, u32), count: usize) -> Vec<(u32, 
 /// What each of these pixels sees.
 fn seen<R: Real>(scene: &Scene<R>, method: Method, pixels: &[(u32, u32)]) -> Vec<Option<usize>> {
     pixels.iter().map(|&pixel| scene.seen(method, pixel)).collect()
-}
-
-/// Pixels of the picture, none likelier than another.
-fn pixels(name: &str, seed: u64, size: (u32, u32), count: usize) -> Vec<(u32, u32)> {
-    let mut draw = Draw::new(seed, name, Precision::F64);
-    let mut below = |bound: u32| draw.below(u64::from(bound)) as u32;
-    (0..count).map(|_| (below(size.0), below(size.1))).collect()
 }
 
 /// The first object of each pixel's ray, to be timed.

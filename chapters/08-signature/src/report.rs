@@ -1,7 +1,8 @@
 //! What was measured, as records, as a table to read, and as the trade plot.
 
 use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
-use lab::table::{aligned, short, three_digits};
+use lab::scenes;
+use lab::table::{short, three_digits, under};
 use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured};
@@ -16,25 +17,15 @@ pub(crate) fn traded(measured: &[Measured], seed: u64) -> Traded {
 /// The contract's fields, those about a single hit empty; then those about pixels.
 fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
     let Entry { method, precision, ns, off, on_front } = entry;
-    vec![
-        ("method", Field::Text(method.name().to_string())),
-        ("precision", Field::Text(precision.name().to_string())),
-        ("regime", Field::Text(measured.name.clone())),
-        ("ns_per_ray", Field::Nothing),
-        ("cases", Field::Count(off.pixels)),
-        ("wrong_decisions", Field::Nothing),
-        ("t_ulp_median", Field::Nothing),
-        ("t_ulp_p99", Field::Nothing),
-        ("t_ulp_max", Field::Nothing),
-        ("pareto", Field::Flag(*on_front)),
-        ("ns_per_pixel", Field::Number(ns.median)),
-        ("ns_low", Field::Number(ns.low)),
-        ("ns_high", Field::Number(ns.high)),
+    let first = scenes::record(method.name(), *precision, &measured.name, off.pixels, *on_front);
+    let times = scenes::times("ns_per_pixel", ns);
+    let rest = [
         ("objects", Field::Count(measured.objects as u64)),
         ("other_object", Field::Count(off.others)),
         ("holes", Field::Count(off.holes)),
         ("seed", Field::Count(seed)),
-    ]
+    ];
+    first.into_iter().chain(times).chain(rest).collect()
 }
 
 fn plot(measured: &[Measured]) -> TradePlot {
@@ -85,21 +76,13 @@ const HEADS: [&str; 7] = ["method", "", "ns", "", "ns/try", "other", "holes"];
 fn table(measured: &Measured) -> String {
     let Measured { name, what, tries, entries, .. } = measured;
     let pixels = entries.first().map_or(0, |entry| entry.off.pixels);
-    let heads = HEADS.map(str::to_string).to_vec();
     let cells = |Entry { method, precision, ns, off, .. }: &Entry| {
-        vec![
-            method.name().to_string(),
-            precision.name().to_string(),
-            three_digits(ns.median),
-            format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
-            three_digits(ns.median / *tries as f64),
-            short(off.others as f64),
-            short(off.holes as f64),
-        ]
+        let rest =
+            [three_digits(ns.median / *tries as f64), short(off.others as f64), short(off.holes as f64)];
+        scenes::cells(method.name(), *precision, ns).into_iter().chain(rest).collect()
     };
-    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
-    let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
-    format!("{name}: {what} · {pixels} pixels\n{}", aligned(&lines, &starred))
+    let lines = entries.iter().map(|entry| (cells(entry), entry.on_front));
+    format!("{name}: {what} · {pixels} pixels\n{}", under(&HEADS, lines))
 }
 
 /// For each scene the fastest that sees what the reference sees.
@@ -110,9 +93,7 @@ fn what_to_take(measured: &[Measured]) -> String {
         let right = entries.iter().filter(|entry| entry.off.others == 0);
         let take = right.min_by(|a, b| a.ns.median.total_cmp(&b.ns.median));
         let said = match take {
-            Some(Entry { method, precision, ns, .. }) => {
-                format!("{} {}, {} ns", method.name(), precision.name(), three_digits(ns.median))
-            }
+            Some(Entry { method, precision, ns, .. }) => scenes::took(method.name(), *precision, ns),
             None => "none of these".to_string(),
         };
         text += &format!("  {name:<width$}  {said}\n");

@@ -3,6 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use lab::scenes::{file_named, pixels};
 use lab::{Draw, Effort, Nanoseconds, Pass, Progress, Runner, asked_for, time};
 use math::{Camera, Grid, Handedness, Real, Window};
 use ray_sphere::Sphere;
@@ -73,7 +74,8 @@ pub(crate) struct Entry {
     pub(crate) rays: u64,
     /// What they all did together.
     pub(crate) counts: Counts,
-    /// How many of them see another object than without bounds, or at another λ; `None` where that would take too long.
+    /// How many of them see another object than without bounds, or at another λ; `None` where that would take
+    /// too long.
     pub(crate) others: Option<u64>,
     /// How long the bounds took to make, in milliseconds.
     pub(crate) built: f64,
@@ -87,8 +89,7 @@ pub(crate) struct Entry {
 pub(crate) fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
     let mut regimes = asked_for(ask, REGIMES.to_vec(), |regime| regime.name)?;
     if let Some(path) = &ask.scene {
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let what = path.display().to_string();
+        let (name, what) = file_named(path);
         return Ok(vec![of_file(name, what, &read(Some(path))?, ask, Effort::of(ask, 1))?]);
     }
     if ask.quick && ask.regimes.is_empty() {
@@ -126,7 +127,8 @@ fn of_file(
     Ok(in_scenes(name, what, single.as_ref(), &double, ask, effort))
 }
 
-/// Spheres anywhere in a cube of side 2, each a little more than half as wide as its share of the cube, seen from the front.
+/// Spheres anywhere in a cube of side 2, each a little more than half as wide as its share of the cube, seen
+/// from the front.
 fn scene_of<R: Real>(name: &str, count: usize, seed: u64) -> Result<Scene<R>, Error> {
     let mut draw = Draw::new(seed, name, Precision::F64);
     let radius = R::round_from(0.55 / (count as f64).cbrt());
@@ -226,13 +228,6 @@ fn in_scene<R: Real>(
         Entry { method, precision, ns, rays, counts, others, built, on_front }
     })
     .collect()
-}
-
-/// Pixels of the picture, none likelier than another.
-fn pixels(name: &str, seed: u64, size: (u32, u32), count: usize) -> Vec<(u32, u32)> {
-    let mut draw = Draw::new(seed, name, Precision::F32);
-    let mut below = |bound: u32| draw.below(u64::from(bound)) as u32;
-    (0..count).map(|_| (below(size.0), below(size.1))).collect()
 }
 
 /// What each pixel sees, to be timed.

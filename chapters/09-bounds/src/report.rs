@@ -1,14 +1,15 @@
 //! What was measured, as records, as a table to read, and as lines against the number of objects.
 
 use lab::plot::{LinePlot, Series, lines_svg};
-use lab::table::{aligned, short, three_digits};
+use lab::scenes;
+use lab::table::{short, three_digits, under};
 use stage::{Drawing, Field, Precision, Record, Sheet, TradeAsk, Traded};
 
 use crate::measure::{Entry, Measured};
 use crate::{Counts, Method};
 
-/// The table with what to take from it, the contract's records, and the lines: the time a ray (`trade.svg`) and the tests
-/// a ray (`tests.svg`).
+/// The table with what to take from it, the contract's records, and the lines: the time a ray (`trade.svg`)
+/// and the tests a ray (`tests.svg`).
 pub(crate) fn traded(measured: &[Measured], ask: &TradeAsk) -> Traded {
     let drawing = |ending, plot: &LinePlot| Drawing { ending, sheet: Sheet::Svg(lines_svg(plot)) };
     let drawings = vec![drawing("trade.svg", &times(measured)), drawing("tests.svg", &tests(measured))];
@@ -21,20 +22,9 @@ fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
     let Entry { method, precision, ns, rays, counts, others, built, on_front } = entry;
     let Counts { boxes, tests, hits } = counts;
     let a_ray = |count: &u64| Field::Number(*count as f64 / (*rays).max(1) as f64);
-    vec![
-        ("method", Field::Text(method.name().to_string())),
-        ("precision", Field::Text(precision.name().to_string())),
-        ("regime", Field::Text(measured.name.clone())),
-        ("ns_per_ray", Field::Nothing),
-        ("cases", Field::Count(*rays)),
-        ("wrong_decisions", Field::Nothing),
-        ("t_ulp_median", Field::Nothing),
-        ("t_ulp_p99", Field::Nothing),
-        ("t_ulp_max", Field::Nothing),
-        ("pareto", Field::Flag(*on_front)),
-        ("ns_per_pixel", Field::Number(ns.median)),
-        ("ns_low", Field::Number(ns.low)),
-        ("ns_high", Field::Number(ns.high)),
+    let first = scenes::record(method.name(), *precision, &measured.name, *rays, *on_front);
+    let times = scenes::times("ns_per_pixel", ns);
+    let rest = [
         ("parts", Field::Count(measured.parts as u64)),
         ("bounds_per_ray", a_ray(boxes)),
         ("tests_per_ray", a_ray(tests)),
@@ -42,10 +32,12 @@ fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
         ("other_hit", others.map_or(Field::Nothing, Field::Count)),
         ("ns_build", Field::Number(built * 1e6)),
         ("seed", Field::Count(seed)),
-    ]
+    ];
+    first.into_iter().chain(times).chain(rest).collect()
 }
 
-/// Those of the scenes that differ in the number of their spheres, at f64 or else at what was measured; if there are none, all.
+/// Those of the scenes that differ in the number of their spheres, at f64 or else at what was measured; if
+/// there are none, all.
 fn lines(measured: &[Measured], value: impl Fn(&Entry) -> (f64, f64, f64)) -> Vec<Series> {
     let of_spheres = measured.iter().any(|it| it.is_of_spheres);
     let precision = shown(measured);
@@ -129,7 +121,8 @@ struct Crossover {
     crosses: bool,
 }
 
-/// Where a line goes below that of `none`, between two points on a line of powers; `None` for those that never do.
+/// Where a line goes below that of `none`, between two points on a line of powers; `None` for those that
+/// never do.
 fn crossovers(series: &[Series]) -> Vec<Crossover> {
     let Some(none) = series.iter().find(|series| series.name == Method::None.name()) else {
         return Vec::new();
@@ -177,25 +170,20 @@ const HEADS: [&str; 9] = ["method", "", "ns", "", "bounds", "tests", "hits", "ot
 
 /// One scene: its name, what it is, and a line a method and precision.
 fn table(Measured { name, what, parts, entries, .. }: &Measured) -> String {
-    let heads = HEADS.map(str::to_string).to_vec();
     let cells = |entry: &Entry| {
         let Entry { method, precision, ns, rays, counts, others, built, .. } = entry;
         let a_ray = |count: u64| three_digits(count as f64 / (*rays).max(1) as f64);
-        vec![
-            method.name().to_string(),
-            precision.name().to_string(),
-            three_digits(ns.median),
-            format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
+        let rest = [
             a_ray(counts.boxes),
             a_ray(counts.tests),
             three_digits(counts.hits as f64 / counts.tests.max(1) as f64),
             others.map_or("–".to_string(), |others| others.to_string()),
             three_digits(*built),
-        ]
+        ];
+        scenes::cells(method.name(), *precision, ns).into_iter().chain(rest).collect()
     };
-    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
-    let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
-    format!("{name}: {what} · {parts} to test\n{}", aligned(&lines, &starred))
+    let lines = entries.iter().map(|entry| (cells(entry), entry.on_front));
+    format!("{name}: {what} · {parts} to test\n{}", under(&HEADS, lines))
 }
 
 /// The fastest of each scene, and from how many objects on each bound pays.
@@ -204,11 +192,8 @@ fn what_to_take(measured: &[Measured]) -> String {
     let width = measured.iter().map(|it| it.name.chars().count()).max().unwrap_or(0);
     for Measured { name, entries, .. } in measured {
         let fastest = entries.iter().filter(|entry| entry.on_front);
-        let said: Vec<String> = fastest
-            .map(|it| {
-                format!("{} {}, {} ns", it.method.name(), it.precision.name(), three_digits(it.ns.median))
-            })
-            .collect();
+        let took = |it: &Entry| scenes::took(it.method.name(), it.precision, &it.ns);
+        let said: Vec<String> = fastest.map(took).collect();
         text += &format!("  {name:<width$}  {}\n", said.join("; "));
     }
     let found = crossovers(&lines(measured, |entry| (entry.ns.median, entry.ns.low, entry.ns.high)));

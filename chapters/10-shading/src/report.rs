@@ -2,7 +2,8 @@
 
 use lab::front;
 use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
-use lab::table::{aligned, short, three_digits};
+use lab::scenes;
+use lab::table::{short, under};
 use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured};
@@ -20,26 +21,16 @@ pub(crate) fn traded(measured: &[Measured], seed: u64) -> Traded {
 fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
     let Entry { start, precision, ns, faults, on_front } = entry;
     let per_million = |count: u64| Field::Number(faults.per_million(count));
-    vec![
-        ("method", Field::Text(start.name().to_string())),
-        ("precision", Field::Text(precision.name().to_string())),
-        ("regime", Field::Text(measured.regime.name.to_string())),
-        ("ns_per_ray", Field::Nothing),
-        ("cases", Field::Count(faults.cases)),
-        ("wrong_decisions", Field::Nothing),
-        ("t_ulp_median", Field::Nothing),
-        ("t_ulp_p99", Field::Nothing),
-        ("t_ulp_max", Field::Nothing),
-        ("pareto", Field::Flag(*on_front)),
-        ("ns_per_second_ray", Field::Number(ns.median)),
-        ("ns_low", Field::Number(ns.low)),
-        ("ns_high", Field::Number(ns.high)),
+    let first = scenes::record(start.name(), *precision, measured.regime.name, faults.cases, *on_front);
+    let times = scenes::times("ns_per_second_ray", ns);
+    let rest = [
         ("acne_per_million", per_million(faults.acne)),
         ("leaks_per_million", faults.leaks.map_or(Field::Nothing, per_million)),
         ("size", Field::Number(measured.regime.size)),
         ("distance", Field::Number(measured.regime.distance)),
         ("seed", Field::Count(seed)),
-    ]
+    ];
+    first.into_iter().chain(times).chain(rest).collect()
 }
 
 fn plot(measured: &[Measured]) -> TradePlot {
@@ -100,18 +91,13 @@ const HEADS: [&str; 6] = ["method", "", "ns", "", "acne/M", "leaks/M"];
 /// One scene: its name, what it is, and a line a method and precision.
 fn table(Measured { regime, entries }: &Measured) -> String {
     let cases = entries.iter().map(|entry| entry.faults.cases).max().unwrap_or(0);
-    let heads = HEADS.map(str::to_string).to_vec();
     let cells = |Entry { start, precision, ns, faults, .. }: &Entry| {
-        vec![
-            start.name().to_string(),
-            precision.name().to_string(),
-            three_digits(ns.median),
-            format!("{}–{}", three_digits(ns.low), three_digits(ns.high)),
+        let rest = [
             short(faults.per_million(faults.acne)),
             faults.leaks.map_or("–".to_string(), |leaks| short(faults.per_million(leaks))),
-        ]
+        ];
+        scenes::cells(start.name(), *precision, ns).into_iter().chain(rest).collect()
     };
-    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(entries.iter().map(cells)).collect();
-    let starred: Vec<bool> = entries.iter().map(|entry| entry.on_front).collect();
-    format!("{}: {} · {cases} rays\n{}", regime.name, regime.what, aligned(&lines, &starred))
+    let lines = entries.iter().map(|entry| (cells(entry), entry.on_front));
+    format!("{}: {} · {cases} rays\n{}", regime.name, regime.what, under(&HEADS, lines))
 }

@@ -8,7 +8,7 @@
 
 use std::time::Duration;
 
-use lab::{Draw, Progress, asked_for};
+use lab::{Progress, asked_for, scenes};
 use shading::Rgb;
 use signature::stage::{fault, read};
 use stage::{Error, Precision, TradeAsk};
@@ -96,14 +96,13 @@ struct Effort {
 
 /// Measures in the chapter's own scenes, or in the file that is asked for; on one thread, whatever is asked.
 ///
-/// [`Error::Request`] where a scene is asked for that there is not, or a file is none; [`Error::Failed`] where a
-/// thread with a stack for its depth cannot be had.
+/// [`Error::Request`] where a scene is asked for that there is not, or a file is none; [`Error::Failed`]
+/// where a thread with a stack for its depth cannot be had.
 pub fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
     let own = asked_for(ask, SCENES.to_vec(), |scene| scene.name)?;
     let files: Vec<(String, String, Option<String>, scene_file::Scene)> = match &ask.scene {
         Some(path) => {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let shown = path.display().to_string();
+            let (name, shown) = scenes::file_named(path);
             vec![(name, shown.clone(), Some(shown), read(Some(path))?)]
         }
         None => {
@@ -196,9 +195,7 @@ fn in_scene(
 
 /// Pixels of the picture, none likelier than another, in the order in which a picture is traced.
 fn pixels(name: &str, seed: u64, size: (u32, u32), count: usize) -> Vec<(u32, u32)> {
-    let mut draw = Draw::new(seed, name, Precision::F64);
-    let mut below = |bound: u32| draw.below(u64::from(bound)) as u32;
-    let mut pixels: Vec<(u32, u32)> = (0..count).map(|_| (below(size.0), below(size.1))).collect();
+    let mut pixels = scenes::pixels(name, seed, size, count);
     pixels.sort_by_key(|&(col, row)| (row, col));
     pixels
 }

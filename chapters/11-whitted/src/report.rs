@@ -1,6 +1,7 @@
 //! What was measured, as records, as a table to read, and as lines of the best that a time can buy.
 
-use lab::table::{aligned, small, three_digits};
+use lab::scenes;
+use lab::table::{small, three_digits, under};
 use stage::{Drawing, Field, Record, Sheet, TradeAsk, Traded};
 
 use crate::measure::{Entry, Measured, Setting};
@@ -28,17 +29,8 @@ fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
     let Entry { setting, seconds, counts, off, alone, on_front } = entry;
     let Setting { method, precision, depth, tolerance, samples } = setting;
     let pixels = f64::from(measured.size.0) * f64::from(measured.size.1);
-    vec![
-        ("method", Field::Text(method.name().to_string())),
-        ("precision", Field::Text(precision.name().to_string())),
-        ("regime", Field::Text(measured.name.clone())),
-        ("ns_per_ray", Field::Nothing),
-        ("cases", Field::Count(measured.pixels as u64)),
-        ("wrong_decisions", Field::Nothing),
-        ("t_ulp_median", Field::Nothing),
-        ("t_ulp_p99", Field::Nothing),
-        ("t_ulp_max", Field::Nothing),
-        ("pareto", Field::Flag(*on_front)),
+    let first = scenes::record(method.name(), *precision, &measured.name, measured.pixels as u64, *on_front);
+    let rest = [
         ("depth", Field::Count(u64::from(*depth))),
         ("tolerance", tolerance.map_or(Field::Nothing, Field::Number)),
         ("samples", Field::Count(u64::from(*samples))),
@@ -50,7 +42,8 @@ fn record(measured: &Measured, entry: &Entry, seed: u64) -> Record {
         ("rays", Field::Count(counts.rays())),
         ("left_out", Field::Count(counts.left_out)),
         ("seed", Field::Count(seed)),
-    ]
+    ];
+    first.into_iter().chain(rest).collect()
 }
 
 /// The errors for which it is said what to take, in linear radiance.
@@ -103,13 +96,11 @@ fn table(measured: &Measured) -> String {
             small(alone.largest),
         ]
     };
-    let heads = HEADS.map(str::to_string).to_vec();
-    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(shown.iter().map(cells)).collect();
-    let starred: Vec<bool> = shown.iter().map(|entry| entry.on_front).collect();
+    let lines = shown.iter().map(|entry| (cells(entry), entry.on_front));
     let (width, height, all) = (size.0, size.1, entries.len());
     format!(
         "{name}: {what} · {pixels} pixels of {width} × {height} · {all} settings\n{}",
-        aligned(&lines, &starred)
+        under(&HEADS, lines)
     )
 }
 

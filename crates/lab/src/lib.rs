@@ -18,6 +18,7 @@ mod pareto;
 pub mod plot;
 mod regime;
 mod report;
+pub mod scenes;
 mod speed;
 mod subject;
 pub mod table;

@@ -4,9 +4,9 @@ use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured, MeasuredRegime, WorstCase};
 use crate::plot::{Mark, Panel, TradePlot, Words, trade_svg};
-use crate::table::{aligned, short, small, three_digits};
+use crate::table::{short, small, three_digits, under};
 use crate::verdict;
-use crate::{Judgment, Truth};
+use crate::{Judgment, Truth, scenes};
 
 impl Measured {
     /// The answer to `trade`: the table with what to take from it, the contract's records, and the plot
@@ -21,6 +21,7 @@ impl Measured {
         regimes.flat_map(|regime| regime.entries.iter().map(|entry| self.record(regime, entry))).collect()
     }
 
+    /// The contract's columns, then those of the lab.
     fn record(&self, regime: &MeasuredRegime, entry: &Entry) -> Record {
         let Entry { method, precision, throughput, latency, ratio, accuracy, on_front, .. } = entry;
         let count = |count: Option<u64>| count.map_or(Field::Nothing, Field::Count);
@@ -131,10 +132,8 @@ fn table(regime: &MeasuredRegime) -> String {
         regime.entries.first().map_or((0, 0), |entry| (entry.accuracy.cases, entry.accuracy.hits));
     let share = 100.0 * hits as f64 / cases.max(1) as f64;
     let title = format!("{}: {} · {cases} cases, {share:.0} % hit\n", regime.name, regime.what);
-    let heads = HEADS.map(str::to_string).to_vec();
-    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(regime.entries.iter().map(cells)).collect();
-    let starred: Vec<bool> = regime.entries.iter().map(|entry| entry.on_front).collect();
-    title + &aligned(&lines, &starred)
+    let lines = regime.entries.iter().map(|entry| (cells(entry), entry.on_front));
+    title + &under(&HEADS, lines)
 }
 
 /// Where one method at one precision was asked for, the case that it gets most wrong, for `eval`.
@@ -160,14 +159,25 @@ fn worst_cases(measured: &Measured, regime: &MeasuredRegime) -> String {
     )
 }
 
+/// The names of the contract's columns.
+#[cfg(test)]
+pub(crate) const CONTRACT: [&str; 10] = [
+    "method",
+    "precision",
+    "regime",
+    "ns_per_ray",
+    "cases",
+    "wrong_decisions",
+    "t_ulp_median",
+    "t_ulp_p99",
+    "t_ulp_max",
+    "pareto",
+];
+
 fn cells(entry: &Entry) -> Vec<String> {
     let Entry { method, precision, throughput, latency, ratio, accuracy, .. } = entry;
     let whole = |count: Option<u64>| count.map_or("–".to_string(), |count| short(count as f64));
-    vec![
-        method.to_string(),
-        precision.name().to_string(),
-        three_digits(throughput.median),
-        format!("{}–{}", three_digits(throughput.low), three_digits(throughput.high)),
+    let rest = [
         format!("{ratio:.2}"),
         three_digits(latency.median),
         short(accuracy.wrong_share() * 1e6),
@@ -177,5 +187,6 @@ fn cells(entry: &Entry) -> Vec<String> {
         small(accuracy.error()),
         small(accuracy.residual),
         accuracy.normal_angle.map_or("–".to_string(), small),
-    ]
+    ];
+    scenes::cells(method, *precision, throughput).into_iter().chain(rest).collect()
 }

@@ -20,6 +20,14 @@ pub fn aligned(lines: &[Vec<String>], starred: &[bool]) -> String {
     text
 }
 
+/// The same of heads and lines, each line with whether it is starred.
+pub fn under(heads: &[&str], lines: impl Iterator<Item = (Vec<String>, bool)>) -> String {
+    let (lines, starred): (Vec<Vec<String>>, Vec<bool>) = lines.unzip();
+    let heads = heads.iter().map(|head| head.to_string()).collect();
+    let lines: Vec<Vec<String>> = std::iter::once(heads).chain(lines).collect();
+    aligned(&lines, &starred)
+}
+
 /// Three digits: 4.71, 47.1, 471, 4710.
 pub fn three_digits(x: f64) -> String {
     match x {
@@ -56,6 +64,10 @@ mod tests {
             aligned(&lines, &[true, false]),
             "  method        ns\n★ notes   f32  9.5\n  robust  f64  100\n"
         );
+        let [heads, first, second] = lines.clone();
+        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        let same = under(&heads, [(first, true), (second, false)].into_iter());
+        assert_eq!(same, aligned(&lines, &[true, false]));
     }
 
     #[test]
