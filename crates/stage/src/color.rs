@@ -57,8 +57,12 @@ fn srgb(x: f64) -> f64 {
 }
 
 /// The nearest whole number to 255 x, halves up. `x` from 0 to 1.
+///
+/// (`round` would do, and is a call of a library where the processor has no instruction for it that all of its kind have.)
 fn byte(x: f64) -> u8 {
-    (255.0 * x).round() as u8
+    let x = 255.0 * x;
+    let below = x as u8;
+    below + u8::from(x - f64::from(below) >= 0.5)
 }
 
 #[cfg(test)]
