@@ -9,7 +9,7 @@ use crate::all::{All, try_all};
 use crate::projected::{Extents, rectangle};
 use crate::trial::{Trial, Tried};
 use crate::wide::{Instructions, Spheres, Version};
-use crate::{Box3, FirstPart, Method, Nearest, Parts, Query, Reach, Slabs, Tally, Tree, Wide, sphere_around};
+use crate::{Box3, FirstPart, Found, Method, Nearest, Parts, Query, Reach, Slabs, Tally, Tree, Wide, sphere_around};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
 #[derive(Debug)]
@@ -155,18 +155,24 @@ impl<'a, R: Real> Bounded<'a, R> {
         self.first(query, None, counts)
     }
 
-    /// The same, with the point and the normal: λ is worked out once, for the part that is hit.
+    /// The same, with λ only if it was needed.
     #[inline]
-    pub fn first_hit_of(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<(usize, Hit3<R>)> {
+    pub fn find(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<Found<R>> {
         let (part, lambda) = self.search::<false>(query, None, counts)?;
+        Some(Found { part, lambda })
+    }
+
+    /// Where the ray hits what was found for it: λ, the point and the normal. λ is worked out once, for this part.
+    #[inline]
+    pub fn hit_of(&self, query: &Query<R>, found: Found<R>) -> Option<Hit3<R>> {
+        let Found { part, lambda } = found;
         let span = Span::new(query.span.min, lambda.unwrap_or(query.span.max));
-        let hit = match self.parts.shape(part) {
+        match self.parts.shape(part) {
             Shape::Sphere(sphere) if query.within == Some(part) && self.formulas() == Formulas::Robust => {
                 ray_sphere::robust::hit_from_within(&query.ray, sphere, span).ok().flatten()
             }
             _ => self.parts.whole_hit(self.formulas(), part, &query.ray, span),
-        };
-        Some((part, hit?))
+        }
     }
 
     /// Some part that is hit, `None` where nothing is: the search ends with the first that it finds. Which one that is

@@ -11,6 +11,15 @@ pub struct FirstPart<R> {
     pub lambda: R,
 }
 
+/// What a ray hits first, as far as the search had to know.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found<R> {
+    /// Which of the [`Parts`](crate::Parts).
+    pub part: usize,
+    /// λ, if it was worked out to its last digit on the way.
+    pub(crate) lambda: Option<R>,
+}
+
 /// What is asked of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Query<R: Real> {

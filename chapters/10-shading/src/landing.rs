@@ -1,6 +1,6 @@
 //! Where a ray lands: the point, and the normals there.
 
-use bounds::{Bounded, Query, Tally};
+use bounds::{Bounded, Found, Query, Tally};
 use math::{Real, Vector};
 use signature::{Method, Shape};
 use triangle::Triangle;
@@ -33,8 +33,20 @@ impl<R: Real> Landing<R> {
         counts: &mut impl Tally,
         with_place: impl Fn(usize) -> bool,
     ) -> Option<Landing<R>> {
-        let (part, hit) = bounded.first_hit_of(query, counts)?;
-        let (parts, ray) = (bounded.all_parts(), &query.ray);
+        let found = bounded.find(query, counts)?;
+        Landing::on(bounded, query, found, with_place)
+    }
+
+    /// The same where it is already found what is hit.
+    #[inline]
+    pub fn on(
+        bounded: &Bounded<'_, R>,
+        query: &Query<R>,
+        found: Found<R>,
+        with_place: impl Fn(usize) -> bool,
+    ) -> Option<Landing<R>> {
+        let hit = bounded.hit_of(query, found)?;
+        let (part, parts, ray) = (found.part, bounded.all_parts(), &query.ray);
         let object = parts.object(part);
         let flat = Landing {
             object,

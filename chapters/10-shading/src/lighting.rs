@@ -7,7 +7,7 @@ use signature::Method;
 use crate::landing::Turned;
 use crate::shadow::{LastBlockers, blocker};
 use crate::start::Spared;
-use crate::{Landing, Phong, Rgb, Scene, Start, Starts, phong};
+use crate::{Landing, Material, Phong, Rgb, Scene, Start, Starts, phong};
 
 /// A scene ready to be lit.
 #[derive(Clone, Copy, Debug)]
@@ -108,11 +108,16 @@ impl<'a, R: Real> Lighting<'a, R> {
         }
     }
 
+    /// What an object is made of.
+    #[inline(always)]
+    pub fn material(&self, object: usize) -> &'a Material {
+        &self.scene.materials[self.scene.painted[object].material]
+    }
+
     /// r_a I_a C
     #[inline(always)]
     pub fn ambient(&self, object: usize, color: Rgb) -> Rgb {
-        let material = &self.scene.materials[self.scene.painted[object].material];
-        self.scene.ambient * color * material.ambient
+        self.scene.ambient * color * self.material(object).ambient
     }
 
     /// E without what comes from elsewhere: the ambient term and, for each light in turn, the diffuse and the specular one.
@@ -152,7 +157,7 @@ impl<'a, R: Real> Lighting<'a, R> {
         if !faces_the_light {
             return Fate::Behind;
         }
-        let material = &self.scene.materials[self.scene.painted[point.landing.object].material];
+        let material = self.material(point.landing.object);
         if !material.answers_lights() && !self.idle_shadows {
             return Fate::Unanswered;
         }

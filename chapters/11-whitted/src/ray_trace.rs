@@ -1,6 +1,6 @@
 //! The page's rayTrace, findFirstHit and rtShade.
 
-use bounds::{Bounded, Query};
+use bounds::{Bounded, Found, Query};
 use math::{Ray3, Real, Span, Vector};
 use shading::lighting::{Again, Point};
 use shading::shadow::LastBlockers;
@@ -104,19 +104,45 @@ impl<'a, R: Real> Tracer<'a, R> {
         witness: &mut W,
     ) -> Rgb {
         witness.sent(&Sent { kind, depth, ray: query.ray, coefficient });
-        let e = match self.find_first_hit(query, witness) {
-            Some(landing) => self.rt_shade(query.ray.direction, landing, depth, path, witness),
+        let bounded = self.lighting.bounded;
+        let e = match bounded.find(query, witness) {
             None => self.scene.lit.background,
+            Some(found) => match self.one_color(bounded.all_parts().object(found.part), depth) {
+                Some(e) if !W::WANTS_LANDINGS => e,
+                _ => self.landed(query, found, depth, path, witness),
+            },
         };
         witness.ends(e);
         e
     }
 
-    /// findFirstHit(ā, b⃗): the object, λ, p̄ and n⃗.
-    #[inline]
-    fn find_first_hit<W: Witness<R>>(&self, query: &Query<R>, witness: &mut W) -> Option<Landing<R>> {
+    /// What an object returns wherever it is hit, if nothing depends on where: it has no texture, answers no light, and
+    /// sends no ray on.
+    #[inline(always)]
+    fn one_color(&self, object: usize, depth: u32) -> Option<Rgb> {
+        let lit = &self.scene.lit;
+        let (material, optics) = (self.lighting.material(object), self.scene.optics_of(object));
+        let is_lit = !lit.lights.is_empty() && (material.answers_lights() || self.lighting.idle_shadows);
+        let sends_on = depth < self.scene.max_depth && (optics.mirror > 0.0 || optics.transmit > 0.0);
+        let is_textured = lit.painted[object].texture.is_some();
+        (!is_lit && !sends_on && !is_textured).then(|| self.lighting.ambient(object, material.color))
+    }
+
+    /// What a ray sees that lands on what it has found: findFirstHit's λ, p̄ and n⃗, and rtShade there.
+    #[inline(always)]
+    fn landed<W: Witness<R>>(
+        &self,
+        query: &Query<R>,
+        found: Found<R>,
+        depth: u32,
+        path: &mut Path,
+        witness: &mut W,
+    ) -> Rgb {
         let is_textured = |object: usize| self.scene.lit.painted[object].texture.is_some();
-        Landing::of(self.lighting.bounded, query, witness, is_textured)
+        match Landing::on(self.lighting.bounded, query, found, is_textured) {
+            Some(landing) => self.rt_shade(query.ray.direction, landing, depth, path, witness),
+            None => self.scene.lit.background,
+        }
     }
 
     /// rtShade(OBJ, p̄, n⃗, d⃗_e, depth): the local component and, before maxDepth, the global one.
@@ -158,7 +184,7 @@ impl<'a, R: Real> Tracer<'a, R> {
         let (mut shadow_rays, mut fates) = (0, Vec::new());
         let e = self.lighting.local(point, &mut path.last, witness, |light, fate| {
             shadow_rays += u64::from(matches!(fate, Fate::Shadowed(_) | Fate::Seen(_)));
-            if W::WANTS_LIGHTS {
+            if W::WANTS_LANDINGS {
                 fates.push((light, fate));
             }
         });

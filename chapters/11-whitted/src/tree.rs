@@ -109,7 +109,7 @@ impl<R: Real> Tally for Tree<R> {
 }
 
 impl<R: Real> Witness<R> for Tree<R> {
-    const WANTS_LIGHTS: bool = true;
+    const WANTS_LANDINGS: bool = true;
 
     fn sent(&mut self, sent: &Sent<R>) {
         self.counts.sent(sent);

@@ -44,8 +44,8 @@ pub struct Sent<R: Real> {
 
 /// Is told what happens, ray by ray, in the order in which it happens. Every method has a default that does nothing.
 pub trait Witness<R: Real>: Tally {
-    /// Whether it wants to know what became of each light.
-    const WANTS_LIGHTS: bool = false;
+    /// Whether it wants to know of every ray where it landed, though it may not matter, and what became of each light there.
+    const WANTS_LANDINGS: bool = false;
 
     /// A ray is sent. What follows is about it, and about the rays that are sent from where it lands, until
     /// [`Witness::ends`].

@@ -34,7 +34,7 @@ impl Tally for Rays {
 }
 
 impl<R: Real> Witness<R> for Rays {
-    const WANTS_LIGHTS: bool = true;
+    const WANTS_LANDINGS: bool = true;
 
     fn sent(&mut self, sent: &Sent<R>) {
         self.depth = sent.depth;
