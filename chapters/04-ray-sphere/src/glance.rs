@@ -9,9 +9,9 @@
 //! | h = √(a²/A) | h (E/a²) and 4u h | a square root halves a relative error E/a², which is below ½; its own roundings |
 //! | t_close ∓ h | u (t_close + h) | its sum, and both are at most S |
 //!
-//! which is less than 16u S + h E/a². Two things save a root and a quotient. L·L is t_close² A + P·P, and P·P is at most r²
-//! where the line crosses, so S ≤ |t_close| + √2 r/‖d‖. And unless the line grazes, E/a² is at most a fixed share: where a² is
-//! less than 2⁻²⁰ (L·L + r²), a glance is not enough.
+//! which is less than 16u S + h E/a². Unless the line grazes, E/a² is at most a fixed share, which saves a quotient: where a²
+//! is less than 2⁻²⁰ (L·L + r²), a glance is not enough. The two roots, S and h, are only for what is met, and neither waits
+//! for the other.
 
 use math::plain::dot;
 use math::{Around, Glance, Ray3, Real, Vector};
@@ -36,8 +36,6 @@ pub struct Line {
     d: [f64; 3],
     /// 1/A
     one_over_a: f64,
-    /// √2/‖d‖, rounded up.
-    root_two_over_d: f64,
     /// A is a number that neither overflows nor vanishes.
     is_safe: bool,
 }
@@ -63,9 +61,7 @@ impl Line {
     pub fn of<R: Real>(ray: &Ray3<R>) -> Line {
         let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
         let a = dot(d, d);
-        let one_over_a = 1.0 / a;
-        let root_two_over_d = one_over_a.sqrt() * 1.5;
-        Line { o, d, one_over_a, root_two_over_d, is_safe: SAFE_SQUARE.contains(&a) }
+        Line { o, d, one_over_a: 1.0 / a, is_safe: SAFE_SQUARE.contains(&a) }
     }
 
     /// Past a sphere with the center c and the squared radius r², which must neither overflow nor vanish.
@@ -88,7 +84,7 @@ impl Line {
 
     /// What that says.
     #[inline(always)]
-    pub fn glance(&self, passage: &Passage, r: f64) -> Glance {
+    pub fn glance(&self, passage: &Passage) -> Glance {
         let Passage { t_close, half_chord_squared, scale, is_missed, is_safe } = *passage;
         if is_missed {
             return Glance::Misses;
@@ -97,8 +93,8 @@ impl Line {
         if !(is_safe && half_chord_squared >= GRAZING * scale) {
             return Glance::Unsure;
         }
-        let h = (half_chord_squared * self.one_over_a).sqrt();
-        let off = 16.0 * UNIT * (t_close.abs() + self.root_two_over_d * r) + OF_H * h;
+        let [h, s] = [half_chord_squared, scale].map(|squared| (squared * self.one_over_a).sqrt());
+        let off = 16.0 * UNIT * s + OF_H * h;
         Glance::Twice(Around { t: t_close - h, off }, Around { t: t_close + h, off })
     }
 }
@@ -109,7 +105,7 @@ impl Line {
 pub fn glance<R: Real>(line: &Line, sphere: &Sphere<R>) -> Glance {
     let (c, r): ([f64; 3], f64) = (sphere.center.in_f64(), sphere.radius.into());
     match is_safe(r) {
-        true => line.glance(&line.past(c, r * r), r),
+        true => line.glance(&line.past(c, r * r)),
         false => Glance::Unsure,
     }
 }

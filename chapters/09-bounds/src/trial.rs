@@ -133,7 +133,7 @@ impl<R: Real> Tried<'_, R> {
         if self.is_tried_on_all() {
             return self.on_the_long_way(part);
         }
-        self.on_at_a_glance(part, block.glance(&self.line, past, lane))
+        self.on_at_a_glance(part, Spheres::glance(&self.line, past, lane))
     }
 
     /// A part that does not count, where it is tried all the same.

@@ -106,7 +106,7 @@ impl Spheres {
 
     /// What a glance says of one of them.
     #[inline(always)]
-    pub(crate) fn glance(&self, line: &Line, past: &Passages, lane: usize) -> Glance {
+    pub(crate) fn glance(line: &Line, past: &Passages, lane: usize) -> Glance {
         let lane = lane % FOUR;
         let passage = Passage {
             t_close: past.t_close[lane],
@@ -115,6 +115,6 @@ impl Spheres {
             is_missed: false,
             is_safe: past.is_safe[lane],
         };
-        line.glance(&passage, self.r[lane])
+        line.glance(&passage)
     }
 }
