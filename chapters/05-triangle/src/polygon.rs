@@ -19,7 +19,7 @@ pub mod star;
 mod strips;
 pub mod winding;
 
-use math::{Degenerate, Parallel, Ray3, Real, Span, Vector};
+use math::{Degenerate, Glance, Parallel, Ray3, Real, Span, Vector};
 use ray_plane::{Meeting, Plane};
 
 use crate::Hit3;
@@ -154,6 +154,20 @@ impl<R: Real> Polygon<R> {
         }
         let hit = ray_plane::robust(ray, &self.plane).hit(span)?;
         Ok(hit.filter(|_| point.is_some() || on_plane::holds(self, Rule::EvenOdd, ray, None)))
+    }
+
+    /// Whether the line of the ray passes through the polygon, decided exactly, and roughly where, for who does not need
+    /// the last digits of λ. What is all behind the origin is missed, whether it does or not.
+    #[inline]
+    pub fn glance(&self, ray: &Ray3<R>) -> Glance {
+        match AtOnce::of(self, ray) {
+            None => Glance::Unsure,
+            Some(point) if point.is_behind() || point.is_outside(self.rectangle) => Glance::Misses,
+            Some(point) => match on_plane::holds(self, Rule::EvenOdd, ray, Some(&point)) {
+                true => Glance::Once(point.around()),
+                false => Glance::Misses,
+            },
+        }
     }
 
     /// Whether the plane is at right angles to an axis and the ray leads away from it: two comparisons tell, exactly.

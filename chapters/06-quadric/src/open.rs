@@ -19,6 +19,7 @@
 mod at_once;
 mod bounds;
 mod crossing;
+pub mod glance;
 mod line;
 mod normal;
 pub mod notes;
@@ -33,6 +34,7 @@ mod verdict;
 
 use math::{Degenerate, Ray3, Real, Vector};
 
+pub use glance::glance;
 pub use notes::{Candidate, Notes, Test, notes};
 pub use robust::{Robust, robust};
 pub use verdict::Verdict;

@@ -71,7 +71,7 @@ impl<R: Real> Shape<R> {
         }
     }
 
-    /// What plain `f64` says of the robust method's answer at a glance: nothing, for most shapes. Of a mesh it is asked face by
+    /// What plain `f64` says of the robust method's answer at a glance: nothing, for solids. Of a mesh it is asked face by
     /// face. The ray must be a ray, and `line` its line.
     #[inline(always)]
     pub fn glance(&self, ray: &Ray3<R>, line: &Line) -> Glance {
@@ -79,11 +79,9 @@ impl<R: Real> Shape<R> {
             Shape::Plane(plane) => ray_plane::glance(ray, plane),
             Shape::Sphere(sphere) => ray_sphere::glance(line, sphere),
             Shape::Triangle(triangle) => triangle::glance(ray, triangle),
-            Shape::Polygon(polygon) => match ray_plane::glance(ray, &polygon.plane()) {
-                Glance::Once(crossing) => Glance::Perhaps(crossing),
-                other => other,
-            },
-            Shape::Mesh(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => Glance::Unsure,
+            Shape::Polygon(polygon) => polygon.glance(ray),
+            Shape::OpenCone(cone) => quadric::open::glance(ray, cone),
+            Shape::Mesh(_) | Shape::Solid(_) | Shape::Deformed(_) => Glance::Unsure,
         }
     }
 

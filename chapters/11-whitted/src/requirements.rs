@@ -139,8 +139,8 @@ impl Requirements {
     }
 }
 
-/// How many objects take so long to test that a box in front of one alone pays: all that no glance in plain numbers decides
-/// ([`Shape::glance`]), so that nearly every test is one to the last digit.
+/// How many objects take so long to test that a box in front of one alone pays: those that no glance in plain numbers decides
+/// ([`Shape::glance`]), so that nearly every test is one to the last digit, and those at which a glance takes long.
 ///
 /// Measured by `cargo run --release -p whitted -- --explain --scene FILE`: with a tree a ray takes 0.05 times as long in
 /// `chapters/11-whitted/scenes/hall-of-mirrors.toml` (11 parts, 6 of them such) and 0.2 times in

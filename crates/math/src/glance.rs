@@ -9,12 +9,12 @@ use crate::{Real, Span};
 /// What a glance says. All of it is certain, or it says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Glance {
-    /// The line of the ray passes by; or, of something round, it is all behind the origin.
+    /// The line of the ray passes by; or all that it would meet is behind the origin.
     Misses,
     /// It crosses something flat.
     Once(Around),
-    /// If it is met, then here; whether it is takes more than a glance.
-    Perhaps(Around),
+    /// The first of its crossings ahead; of those beyond nothing is said.
+    First(Around),
     /// It crosses something round, into it and out of it.
     Twice(Around, Around),
     /// Too close to call, or no question for plain `f64`.
@@ -84,9 +84,9 @@ impl Glance {
         match self {
             Glance::Misses => First::None,
             Glance::Once(crossing) => one(crossing),
-            Glance::Perhaps(crossing) => match one(crossing) {
-                First::None => First::None,
-                _ => First::Unsure,
+            Glance::First(crossing) => match crossing.range::<R>() {
+                (low, _) if low < min => First::Unsure,
+                _ => one(crossing),
             },
             Glance::Twice(near, far) => match near.range::<R>() {
                 (_, high) if high < min => one(far),
@@ -121,8 +121,10 @@ mod tests {
             assert_eq!(first(min, max), First::Unsure, "{min} {max}");
         }
         assert_eq!(Glance::Misses.first_within(Span::<f64>::ahead()), First::None);
-        assert_eq!(Glance::Perhaps(around(1.0)).first_within(Span::new(0.0, 9.0)), First::Unsure);
-        assert_eq!(Glance::Perhaps(around(1.0)).first_within(Span::new(2.0, 9.0)), First::None);
+        let ahead = Glance::First(around(1.0));
+        assert_eq!(ahead.first_within(Span::new(2.0, 9.0)), First::Unsure, "there may be more");
+        assert_eq!(ahead.first_within(Span::new(0.0, 0.5)), First::None);
+        assert!(between(1.0)(ahead.first_within(Span::new(0.0, 9.0))));
         assert_eq!(Glance::Once(around(0.1)).first_within(Span::<f64>::ahead()), First::Unsure);
     }
 

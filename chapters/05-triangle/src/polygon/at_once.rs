@@ -14,7 +14,7 @@
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use math::{Ray3, Real, Span, Vector};
+use math::{Around, Ray3, Real, Span, Vector};
 
 use super::Polygon;
 use super::crossing::{Relation, Way};
@@ -88,12 +88,23 @@ impl AtOnce {
         (0..2).any(|axis| self.high[axis] < low[axis] || self.low[axis] > high[axis])
     }
 
+    /// t, and how far it may be off.
+    #[inline(always)]
+    pub(super) fn around(&self) -> Around {
+        Around { t: self.t, off: self.t_off }
+    }
+
+    /// Whether t is certainly below zero.
+    #[inline(always)]
+    pub(super) fn is_behind(&self) -> bool {
+        self.t + self.t_off < 0.0
+    }
+
     /// Whether t is certainly not in a span: behind the origin, or beyond its end.
     #[inline(always)]
     pub(super) fn is_before_or_after<R: Real>(&self, span: Span<R>) -> bool {
         let (min, max): (f64, f64) = (span.min.into(), span.max.into());
-        let is_behind = self.t + self.t_off < 0.0 && min >= 0.0;
-        is_behind || (self.t - self.t_off) * CLEARLY_LESS > max && max > SMALLEST_END
+        self.is_behind() && min >= 0.0 || (self.t - self.t_off) * CLEARLY_LESS > max && max > SMALLEST_END
     }
 
     /// Where the point is with respect to a side, as [`relation`](super::crossing::relation) says it; `None` in doubt.

@@ -1,5 +1,6 @@
 //! The fast way to a verdict against the exact one: for rays anywhere, at corners, along sides and beside them by a digit.
 
+use math::glance::First;
 use math::{Ray3, Real, Span, Vector};
 
 use super::at_once::AtOnce;
@@ -162,6 +163,15 @@ fn judge<R: Real>(polygon: &Polygon<R>, ray: &Ray3<R>, counted: &mut Counted) {
         let by_plane =
             ray_plane::robust(ray, &polygon.plane()).hit(span).map(|hit| hit.filter(|_| is_inside));
         assert_eq!(polygon.hit(ray, span), by_plane, "{span:?}: {says}");
+        if span.min < R::from(0.0) {
+            continue;
+        }
+        let is_true = match (polygon.glance(ray).first_within(span), by_plane) {
+            (First::Unsure, _) | (First::None, Ok(None)) => true,
+            (First::Between(low, high), Ok(Some(hit))) => (low..=high).contains(&hit.t.into()),
+            _ => false,
+        };
+        assert!(is_true, "{span:?}: {says}");
     }
 }
 

@@ -5,10 +5,11 @@ mod plain;
 
 use lab::oracle::open_cone;
 use lab::{Accuracy, Answer, Draw, Judgment, Truth};
+use math::glance::First;
 use math::{Ray3, Real, Span, Vector, Wide};
 use stage::Precision;
 
-use super::{OpenCone, notes, robust};
+use super::{OpenCone, glance, notes, robust};
 
 /// A ray and a cone from the columns of the oracle.
 fn question<R: Real>(case: [R; 14]) -> (Ray3<R>, OpenCone<R>) {
@@ -22,6 +23,16 @@ fn assert_sound<R: Real>(hit: &crate::Hit3<R>, case: [R; 14]) {
     let length: f64 = hit.normal.length().into();
     let is_number = hit.point.in_f64::<3>().iter().all(|component| !component.is_nan());
     assert!(hit.t >= R::from(0.0) && is_number && (length - 1.0).abs() < 1e-6, "{hit:?} {case:?}");
+}
+
+/// What a glance is certain of is what robust says.
+fn assert_glance<R: Real>((ray, cone): (&Ray3<R>, &OpenCone<R>), span: Span<R>, case: [f64; 14]) {
+    let hit = robust(ray, cone).hit(span);
+    match (glance(ray, cone).first_within(span), &hit) {
+        (First::Unsure, _) | (First::None, Ok(None)) => {}
+        (First::Between(low, high), Ok(Some(hit))) if (low..=high).contains(&hit.t.into()) => {}
+        (first, hit) => panic!("{first:?}, not {hit:?}: {case:?}"),
+    }
 }
 
 /// What is counted of a regime.
@@ -39,6 +50,7 @@ fn judge_case<R: Real>(case: [f64; 14], precision: Precision, counted: &mut Coun
     counted.notes.count(&Answer::of(&by_notes), &truth, precision);
     let work = robust(&ray, &cone);
     let found = work.hit(Span::ahead());
+    assert_glance((&ray, &cone), Span::ahead(), case);
     let judged = |answer: &Answer, truth: &Truth, counted: &mut Accuracy| match counted
         .count(answer, truth, precision)
     {
@@ -104,6 +116,9 @@ fn any_bits() {
             } else {
                 Span::new(R::round_from(draw.any_number().abs()), R::INFINITY)
             };
+            if span.min >= R::from(0.0) {
+                assert_glance((&ray, &cone), span, case);
+            }
             for hit in
                 [notes(&ray, &cone).hit(span), robust(&ray, &cone).hit(span)].into_iter().flatten().flatten()
             {
