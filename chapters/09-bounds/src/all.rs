@@ -7,43 +7,46 @@ use crate::wide::{Spheres, Work};
 use crate::{Nearest, Tally};
 
 /// The loop of the scene signature, over all parts; `ANY`: until something is hit.
-pub(crate) struct All<'a, 'q, R: Real, C, const ANY: bool> {
+pub(crate) struct All<'a, R: Real, B: FnOnce() -> Tried<'a, R>, C, const ANY: bool> {
     pub(crate) spheres: &'a [Spheres],
     pub(crate) rest: &'a [usize],
-    pub(crate) tried: &'a mut Tried<'q, R>,
+    /// The ray that is to be tried.
+    pub(crate) begins: B,
     pub(crate) counts: &'a mut C,
 }
 
-impl<R: Real, C: Tally, const ANY: bool> Work for All<'_, '_, R, C, ANY> {
-    type Answer = ();
+impl<'a, R: Real, B: FnOnce() -> Tried<'a, R>, C: Tally, const ANY: bool> Work for All<'a, R, B, C, ANY> {
+    type Answer = Option<(usize, Option<R>)>;
 
     #[inline(always)]
-    fn run(self) {
-        let line = self.tried.line();
+    fn run(self) -> Option<(usize, Option<R>)> {
+        let mut tried = (self.begins)();
+        let line = tried.line();
         for block in self.spheres {
             self.counts.tests(block.count());
             let past = block.past(&line);
-            let mut candidates = if self.tried.is_tried_on_all() { block.all() } else { past.candidates };
+            let mut candidates = if tried.is_tried_on_all() { block.all() } else { past.candidates };
             while candidates != 0 {
                 let lane = candidates.trailing_zeros();
                 candidates &= candidates - 1;
-                if self.tried.on_sphere(block, &past, lane as usize).is_some() {
+                if tried.on_sphere(block, &past, lane as usize).is_some() {
                     self.counts.hit();
                     if ANY {
-                        return;
+                        return tried.nearest();
                     }
                 }
             }
         }
         for &part in self.rest {
             self.counts.tests(1);
-            if self.tried.on(part).is_some() {
+            if tried.on(part).is_some() {
                 self.counts.hit();
                 if ANY {
-                    return;
+                    return tried.nearest();
                 }
             }
         }
+        tried.nearest()
     }
 }
 

@@ -9,7 +9,10 @@ use crate::all::{All, try_all};
 use crate::projected::{Extents, rectangle};
 use crate::trial::{Trial, Tried};
 use crate::wide::{Instructions, Spheres, Version};
-use crate::{Box3, FirstPart, Found, Method, Nearest, Parts, Query, Reach, Slabs, Tally, Tree, Wide, sphere_around};
+use crate::{
+    Box3, FirstPart, Found, Leaves, Method, Nearest, Parts, Query, Reach, Slabs, Tally, Tree, Wide,
+    sphere_around,
+};
 
 /// A scene with its bounds, ready for rays. Whatever the bounds are, what a ray hits first is the same.
 #[derive(Debug)]
@@ -168,7 +171,9 @@ impl<'a, R: Real> Bounded<'a, R> {
         let Found { part, lambda } = found;
         let span = Span::new(query.span.min, lambda.unwrap_or(query.span.max));
         match self.parts.shape(part) {
-            Shape::Sphere(sphere) if query.within == Some(part) && self.formulas() == Formulas::Robust => {
+            Shape::Sphere(sphere)
+                if query.leaves == Leaves::Within(part) && self.formulas() == Formulas::Robust =>
+            {
                 ray_sphere::robust::hit_from_within(&query.ray, sphere, span).ok().flatten()
             }
             _ => self.parts.whole_hit(self.formulas(), part, &query.ray, span),
@@ -216,14 +221,13 @@ impl<'a, R: Real> Bounded<'a, R> {
         pixel: Option<(u32, u32)>,
         counts: &mut impl Tally,
     ) -> Option<(usize, Option<R>)> {
-        let mut tried = self.trial.begins(&self.parts, self.carried.as_ref(), query);
+        let begins = || self.trial.begins(&self.parts, self.carried.as_ref(), query);
         match &self.bounds {
             Bounds::None { spheres, rest, version } => {
-                version.run(All::<R, _, ANY> { spheres, rest, tried: &mut tried, counts });
+                version.run(All::<R, _, _, ANY> { spheres, rest, begins, counts })
             }
-            bounds => self.search_bounded::<ANY>(bounds, query, pixel, &mut tried, counts),
+            bounds => self.search_bounded::<ANY>(bounds, query, pixel, begins(), counts),
         }
-        tried.nearest()
     }
 
     fn search_bounded<const ANY: bool>(
@@ -231,10 +235,11 @@ impl<'a, R: Real> Bounded<'a, R> {
         bounds: &Bounds<R>,
         query: &Query<R>,
         pixel: Option<(u32, u32)>,
-        tried: &mut Tried<'_, R>,
+        mut tried: Tried<'_, R>,
         counts: &mut impl Tally,
-    ) {
+    ) -> Option<(usize, Option<R>)> {
         let Query { ray, span, .. } = query;
+        let tried = &mut tried;
         let mut nearest = Nearest::new(*span);
         match bounds {
             Bounds::None { .. } => {}
@@ -293,6 +298,7 @@ impl<'a, R: Real> Bounded<'a, R> {
                 }
             }
         }
+        tried.nearest()
     }
 }
 

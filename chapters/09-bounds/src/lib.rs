@@ -47,7 +47,7 @@ pub use counts::{Counts, Tally, Uncounted};
 pub use method::Method;
 pub use nearest::Nearest;
 pub use parts::Parts;
-pub use query::{FirstPart, Found, Query};
+pub use query::{FirstPart, Found, Leaves, Query};
 pub use slab::{Reach, Slabs};
 pub use tree::Tree;
 pub use wide::{Wide, WideMesh};

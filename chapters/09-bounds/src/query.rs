@@ -27,17 +27,37 @@ pub struct Query<R: Real> {
     pub ray: Ray3<R>,
     /// Where a hit counts; it must not begin below 0.
     pub span: Span<R>,
-    /// A part that the ray passes as if it were not there.
-    pub without: Option<usize>,
-    /// It is tried all the same, and its hit does not count: for who wants to know what that costs.
-    pub tries_idly: bool,
-    /// A solid part in which the ray starts, just below its surface: where its line enters that part is behind it.
-    pub within: Option<usize>,
+    /// What is known of the part that the ray leaves.
+    pub leaves: Leaves,
+}
+
+/// What is known of the part that a ray leaves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Leaves {
+    /// Nothing: it is tried like any other.
+    Unknown,
+    /// The ray passes this part as if it were not there.
+    Passes(usize),
+    /// The same, but the part is tried, and its hit does not count: for who wants to know what that costs.
+    PassesIdly(usize),
+    /// It is solid, and the ray starts in it, just below its surface: where its line enters that part is behind it.
+    Within(usize),
+}
+
+impl Leaves {
+    /// The same, with what is passed tried all the same.
+    #[inline(always)]
+    pub fn tried_idly(self) -> Leaves {
+        match self {
+            Leaves::Passes(part) => Leaves::PassesIdly(part),
+            other => other,
+        }
+    }
 }
 
 impl<R: Real> Query<R> {
     /// A ray that is tried on everything.
     pub fn new(ray: Ray3<R>, span: Span<R>) -> Query<R> {
-        Query { ray, span, without: None, tries_idly: false, within: None }
+        Query { ray, span, leaves: Leaves::Unknown }
     }
 }

@@ -19,7 +19,7 @@ use ray_sphere::Line;
 use signature::{Method, Shape};
 
 use crate::wide::{Passages, Spheres};
-use crate::{Box3, Parts, Query, Reach, Slabs};
+use crate::{Box3, Leaves, Parts, Query, Reach, Slabs};
 
 /// By which formulas.
 #[derive(Clone, Debug)]
@@ -56,7 +56,11 @@ impl Trial {
             Trial::Robust => None,
             Trial::Notes(boxes) => Some(boxes.as_slice()),
         };
-        let [without, within] = [query.without, query.within].map(|part| part.unwrap_or(usize::MAX));
+        let (without, within) = match query.leaves {
+            Leaves::Unknown => (usize::MAX, usize::MAX),
+            Leaves::Passes(part) | Leaves::PassesIdly(part) => (part, usize::MAX),
+            Leaves::Within(part) => (usize::MAX, part),
+        };
         let line = Line::of(&query.ray);
         Tried { parts, query, line, without, within, boxes, carried, nearest: None }
     }
@@ -139,8 +143,8 @@ impl<R: Real> Tried<'_, R> {
     /// A part that does not count, where it is tried all the same.
     #[inline(always)]
     fn on_idly(&self, part: usize) {
-        let Query { ray, span, tries_idly, .. } = self.query;
-        if *tries_idly {
+        let Query { ray, span, leaves } = self.query;
+        if matches!(leaves, Leaves::PassesIdly(_)) {
             let glance = self.parts.glance(part, ray, &self.line);
             if black_box(glance.first_within(*span)) == First::Unsure {
                 black_box(self.parts.hit(part, ray, *span));

@@ -1,12 +1,12 @@
 //! The local model at a point, all lights together.
 
-use bounds::{Bounded, Tally};
+use bounds::{Bounded, Leaves, Tally};
 use math::{Real, Vector};
 use signature::Method;
 
 use crate::landing::Turned;
 use crate::shadow::{LastBlockers, blocker};
-use crate::start::Spared;
+use crate::start::spared;
 use crate::{Landing, Material, Phong, Rgb, Scene, Start, Starts, phong};
 
 /// A scene ready to be lit.
@@ -24,7 +24,7 @@ pub struct Lighting<'a, R: Real> {
     pub again: Again,
 }
 
-/// Whether a second ray is tried on the part that it leaves, where that cannot be met again: see [`Spared`].
+/// Whether a second ray is tried on the part that it leaves, where that cannot be met again: see [`spared`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Again {
     /// No.
@@ -70,7 +70,7 @@ impl<'a, R: Real> Lighting<'a, R> {
     ///
     /// `None` where the point is too far away to be a number: then there is no way from it to a light, and only the ambient
     /// term is left.
-    #[inline]
+    #[inline(always)]
     pub fn point(&self, direction: R::Vec3, landing: Landing<R>) -> Option<Point<R>> {
         if !landing.point.is_finite() {
             return None;
@@ -82,8 +82,10 @@ impl<'a, R: Real> Lighting<'a, R> {
         let mut starts = Starts::of(self.start, formulas, shape, face, &landing);
         // the notes' formulas may say of what cannot be met that it is, and they are taken at their word
         if self.start == Start::Bound && formulas == Method::Robust && self.again != Again::Counted {
-            starts.spared = Spared::of(shape, landing.part);
-            starts.tries_idly = self.again == Again::Idly;
+            starts.leaves = spared(shape, landing.part);
+            if self.again == Again::Idly {
+                starts.leaves = starts.leaves.map(Leaves::tried_idly);
+            }
         }
         Some(Point {
             turned: landing.turned_toward(direction),

@@ -11,7 +11,7 @@ use lab::{Effort, Nanoseconds, Pass, Progress, Runner, asked_for, front, time};
 use math::Real;
 use stage::{Error, Precision, TradeAsk};
 
-use crate::start::Spared;
+use crate::start::spared;
 use crate::{Start, Starts};
 use judged::{Case, Faults};
 use object::Object;
@@ -106,7 +106,7 @@ fn at_precision<R: Real>(
 }
 
 /// Second rays, from where they start to what they meet. By `bound` as they are used: what is convex and left behind is not
-/// tried, see [`Spared`].
+/// tried, see [`spared`].
 fn runner<'a, R: Real>(bounded: &'a Bounded<'a, R>, start: Start, cases: &'a [Case<R>]) -> Runner<'a> {
     Box::new(move |_, count| {
         let cases = &cases[..count.min(cases.len())];
@@ -115,7 +115,7 @@ fn runner<'a, R: Real>(bounded: &'a Bounded<'a, R>, start: Start, cases: &'a [Ca
             let (shape, face) = (parts.shape(landing.part), parts.face(landing.part));
             let mut starts = Starts::of(start, bounded.formulas(), shape, face, landing);
             if start == Start::Bound {
-                starts.spared = Spared::of(shape, landing.part);
+                starts.leaves = spared(shape, landing.part);
             }
             black_box(bounded.any_part(&starts.toward(*direction), &mut Uncounted));
         }

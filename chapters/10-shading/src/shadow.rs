@@ -56,6 +56,7 @@ pub fn blocker<R: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bounds::Leaves;
     use glam::DVec3;
     use math::{Ray3, Span};
     use ray_sphere::{Sphere, robust};
@@ -81,10 +82,8 @@ mod tests {
         let starts = Starts {
             origins: [from_below.origin; 2],
             face_normal: DVec3::Y,
+            leaves: [Leaves::Unknown; 2],
             skipped: 0.0,
-            without: None,
-            spared: crate::start::Spared::Nothing,
-            tries_idly: false,
         };
         let span = starts.to(light, from_below.direction).span;
         assert_eq!(robust(&from_below, &BALL).hit(span).unwrap(), None);

@@ -16,7 +16,7 @@
 
 pub mod foot;
 
-use bounds::Query;
+use bounds::{Leaves, Query};
 use math::{Ray3, Real, Span, Vector};
 use signature::{Method, Shape};
 
@@ -56,54 +56,39 @@ impl Start {
 /// The customary offset, in units of the scene, whatever those are.
 pub const CUSTOMARY: f64 = 1e-3;
 
-/// Where the rays start that leave one point.
+/// Where the rays start that leave one point. Of two, the first is for those that leave to the side of the face's normal,
+/// the second for the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts<R: Real> {
-    /// Their origin if they leave to the side of the face's normal, and if they leave to the other.
+    /// Their origins.
     pub origins: [R::Vec3; 2],
+    /// What is known of the part that they leave.
+    pub leaves: [Leaves; 2],
     /// The face's normal.
     pub face_normal: R::Vec3,
     /// How much of their way does not count, in units of the scene.
     pub skipped: R,
-    /// The part that does not count.
-    pub without: Option<usize>,
-    /// The part that need not be tried, as it is not hit again.
-    pub spared: Spared,
-    /// It is tried all the same, and its hit does not count.
-    pub tries_idly: bool,
 }
 
-/// A ray that starts outside of something convex and goes away from it does not come back: there is nothing to try.
+/// What rays need not be tried on that leave `part`, to one side and to the other.
 ///
-/// Of what stands here, everything is convex, or inside of something convex that it touches there (NFF's open cone, which is
-/// met again from within only).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spared {
-    /// Everything is tried.
-    Nothing,
-    /// The part that the ray starts from, if it goes to the side of the face's normal.
-    Outside(usize),
-    /// The part that the ray starts from, to whichever side: it is flat.
-    BothSides(usize),
-}
-
-impl Spared {
-    /// What rays need not be tried on that start from this part.
-    pub fn of<R: Real>(shape: &Shape<R>, part: usize) -> Spared {
-        match shape {
-            Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) | Shape::Mesh(_) => {
-                Spared::BothSides(part)
-            }
-            Shape::Sphere(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => {
-                Spared::Outside(part)
-            }
+/// A ray that starts outside of something convex and goes away from it does not come back: there is nothing to try. Of
+/// what stands here, everything is convex, or inside of something convex that it touches there (NFF's open cone, which is
+/// met again from within only). What is flat has no inside.
+pub fn spared<R: Real>(shape: &Shape<R>, part: usize) -> [Leaves; 2] {
+    match shape {
+        Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) | Shape::Mesh(_) => {
+            [Leaves::Passes(part), Leaves::Passes(part)]
+        }
+        Shape::Sphere(_) | Shape::Solid(_) | Shape::OpenCone(_) | Shape::Deformed(_) => {
+            [Leaves::Passes(part), Leaves::Within(part)]
         }
     }
 }
 
 impl<R: Real> Starts<R> {
     /// Where the rays start from a point on `shape`, which was met by the formulas of `formulas`.
-    #[inline]
+    #[inline(always)]
     pub fn of(
         start: Start,
         formulas: Method,
@@ -115,17 +100,15 @@ impl<R: Real> Starts<R> {
         let zero = R::from(0.0);
         let from_p = Starts {
             origins: [p, p],
+            leaves: [Leaves::Unknown; 2],
             face_normal: landing.face_normal,
             skipped: zero,
-            without: None,
-            spared: Spared::Nothing,
-            tries_idly: false,
         };
         match start {
             Start::None => from_p,
             Start::Fixed => Starts { skipped: R::round_from(CUSTOMARY), ..from_p },
             Start::Scaled => Starts { skipped: last_digits(p), ..from_p },
-            Start::Exclude => Starts { without: Some(landing.part), ..from_p },
+            Start::Exclude => Starts { leaves: [Leaves::Passes(landing.part); 2], ..from_p },
             Start::Bound => Starts { origins: foot::of(formulas, shape, face, landing).origins(), ..from_p },
         }
     }
@@ -155,14 +138,10 @@ impl<R: Real> Starts<R> {
     /// A query for a ray that leaves in this direction, with what is known of the part that it leaves.
     #[inline(always)]
     fn leaving(&self, direction: R::Vec3, from: impl Fn(R::Vec3) -> Query<R>) -> Query<R> {
-        let is_inward = self.face_normal.dot(direction) < R::from(0.0);
-        let query = from(self.origins[usize::from(is_inward)]);
-        match self.spared {
-            Spared::Nothing => Query { without: self.without, ..query },
-            Spared::Outside(part) if is_inward => Query { within: Some(part), ..query },
-            Spared::Outside(part) | Spared::BothSides(part) => {
-                Query { without: Some(part), tries_idly: self.tries_idly, ..query }
-            }
+        let ([above, below], [leaves_above, leaves_below]) = (self.origins, self.leaves);
+        match self.face_normal.dot(direction) < R::from(0.0) {
+            false => Query { leaves: leaves_above, ..from(above) },
+            true => Query { leaves: leaves_below, ..from(below) },
         }
     }
 

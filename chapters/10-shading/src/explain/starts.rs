@@ -1,5 +1,6 @@
 //! Where second rays start from the point, by every method.
 
+use bounds::Leaves;
 use math::Real;
 use stage::{Transcript, Value};
 
@@ -24,7 +25,8 @@ pub(super) fn explain<R: Real>(transcript: &mut Transcript, lighting: &Lighting<
     let all = [Start::None, Start::Fixed, Start::Scaled, Start::Exclude, Start::Bound];
     let rows = all.into_iter().map(|start| {
         let starts = Starts::of(start, formulas, shape, face, landing);
-        let without = if starts.without.is_some() { "the part that it is on" } else { "nothing" };
+        let without =
+            if starts.leaves[side] != Leaves::Unknown { "the part that it is on" } else { "nothing" };
         vec![
             Value::text(start.name()),
             Value::vector::<R>(starts.origins[side]),
