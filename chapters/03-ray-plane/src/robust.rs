@@ -90,7 +90,8 @@ enum Found {
 /// Works out the robust method.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
-    let [p_r, u_r, p_0, n] = [ray.origin, ray.direction, plane.point, plane.normal].map(Vector::in_f64::<3>);
+    let (p_r, u_r): ([f64; 3], [f64; 3]) = (ray.origin.in_f64(), ray.direction.in_f64());
+    let (p_0, n): ([f64; 3], [f64; 3]) = (plane.point.in_f64(), plane.normal.in_f64());
     let (ray, plane) = (*ray, *plane);
 
     let (n_dot_p, n_dot_u, certainty) = if R::DIGITS < f64::MANTISSA_DIGITS {

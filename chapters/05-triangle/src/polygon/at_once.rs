@@ -55,8 +55,8 @@ impl AtOnce {
     /// The point; `None` where D or the size of a number leaves it open, and for a ray that is none.
     #[inline(always)]
     pub(super) fn of<R: Real>(polygon: &Polygon<R>, ray: &Ray3<R>) -> Option<AtOnce> {
-        let [a, d, p_1, n] =
-            [ray.origin, ray.direction, polygon.plane.point, polygon.plane.normal].map(Vector::in_f64::<3>);
+        let (a, d): ([f64; 3], [f64; 3]) = (ray.origin.in_f64(), ray.direction.in_f64());
+        let (p_1, n): ([f64; 3], [f64; 3]) = (polygon.plane.point.in_f64(), polygon.plane.normal.in_f64());
         let way: [f64; 3] = std::array::from_fn(|axis| (p_1[axis] - a[axis]) * n[axis]);
         let rise: [f64; 3] = std::array::from_fn(|axis| d[axis] * n[axis]);
         let size = |[x, y, z]: [f64; 3]| x.abs() + y.abs() + z.abs();

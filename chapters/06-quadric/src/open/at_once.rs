@@ -96,7 +96,10 @@ impl Wall {
         let speed = sum_of_sizes(d) * steep;
         let off = |value: f64, size: f64| Bounded { value, error: OFF * size };
         let is_ordinary = SAFE.contains(&size) && SAFE.contains(&speed);
-        is_ordinary.then(|| Numbers {
+        if !is_ordinary {
+            return None;
+        }
+        Some(Numbers {
             a: off(dot(e, e) - grows * grows, speed * speed),
             b: off(r * grows - dot(w, e), size * speed),
             c: off(dot(w, w) - r * r, size * size),

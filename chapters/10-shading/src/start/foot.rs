@@ -59,11 +59,14 @@ impl<R: Real> Foot<R> {
     #[inline(always)]
     pub fn origins(&self) -> [R::Vec3; 2] {
         let offset = self.offset();
-        [offset, -(offset + self.bend)].map(|offset| {
-            let [x, y, z]: [f64; 3] =
-                std::array::from_fn(|axis| self.point[axis] + offset * self.normal[axis]);
-            R::vec3(R::round_from(x), R::round_from(y), R::round_from(z))
-        })
+        [self.above(offset), self.above(-(offset + self.bend))]
+    }
+
+    /// The point so far along the normal.
+    #[inline(always)]
+    fn above(&self, offset: f64) -> R::Vec3 {
+        let along = |axis: usize| R::round_from(self.point[axis] + offset * self.normal[axis]);
+        R::vec3(along(0), along(1), along(2))
     }
 }
 

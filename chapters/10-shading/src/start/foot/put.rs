@@ -55,6 +55,7 @@ impl Put {
     }
 
     /// No square on the way has overflowed or vanished.
+    #[inline(always)]
     pub fn is_finite(&self) -> bool {
         let Put { point, normal, error } = self;
         let length = dot(*normal, *normal);
@@ -119,7 +120,6 @@ fn on_unit(solid: quadric::Shape, n: [f64; 3], [x, y, z]: [f64; 3]) -> ([f64; 3]
 /// With w⃗ = p̄ − b̄, split along the axis and away from it: what is away from it is given the wall's radius there. It is
 /// not quite at right angles to the axis, by 15u ‖w⃗‖, and k times that is how much the height is off for which the radius is;
 /// the radius itself is off by five roundings.
-#[inline(always)]
 fn on_open_cone<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], cone: &OpenCone<R>) -> Put {
     let [base, apex] = [cone.base, cone.apex].map(Vector::in_f64::<3>);
     let [r_b, r_a]: [f64; 2] = [cone.base_radius, cone.apex_radius].map(Into::into);
@@ -142,7 +142,6 @@ fn on_open_cone<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], cone: &OpenCone<R>) -
 
 /// In the object's own space, and back: A x̄ + t. Where x̄ is off along the surface it is still on it; off the surface it is
 /// by five roundings, and each part of A x̄ + t by three more.
-#[inline(always)]
 fn on_deformed<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], deformed: &Deformed<R>) -> Put {
     let a = Matrix3::<f64> { columns: deformed.affine.a.columns.map(|column| column.in_f64::<3>().into()) };
     let t: [f64; 3] = deformed.affine.t.in_f64();
