@@ -126,8 +126,11 @@ fn holes(region: &Region) -> Result<String, String> {
     let mut lines = String::new();
     let mut asked = false;
     let indent = |start: usize| &text[text[..start].rfind('\n').map_or(0, |at| at + 1)..start];
+    // after a last expression nothing needs what is bound before it
+    let value = block.stmts.last().is_some_and(is_value);
     for (place, statement) in block.stmts.iter().enumerate() {
         match statement {
+            syn::Stmt::Local(_) if value => {}
             syn::Stmt::Local(local) => {
                 let Some(init) = &local.init else { continue };
                 let (whole, value) = (range(local.span()), range(init.expr.span()));
@@ -139,7 +142,7 @@ fn holes(region: &Region) -> Result<String, String> {
                 lines += "\n";
                 asked = true;
             }
-            syn::Stmt::Expr(_, None) if place + 1 == block.stmts.len() => {
+            syn::Stmt::Expr(_, None) if value && place + 1 == block.stmts.len() => {
                 lines += &format!("{}{question}\n", indent(range(statement.span()).start));
                 asked = true;
             }
@@ -151,6 +154,15 @@ fn holes(region: &Region) -> Result<String, String> {
         lines = format!("{question};\n");
     }
     Ok(lines)
+}
+
+/// Whether a statement is an expression with a value, and not an `if` without an `else` or a loop.
+fn is_value(statement: &syn::Stmt) -> bool {
+    match statement {
+        syn::Stmt::Expr(syn::Expr::If(it), None) => it.else_branch.is_some(),
+        syn::Stmt::Expr(it, None) => !matches!(it, syn::Expr::ForLoop(_) | syn::Expr::While(_)),
+        _ => false,
+    }
 }
 
 /// The statements of a region, each without white space and comments: what no hand-out may contain.
@@ -200,6 +212,20 @@ mod tests {
         let text = filled(&[("less", Filling::Question)]).unwrap();
         assert!(text.contains("    todo!(\"And one less?\")\n}"), "{text}");
         assert!(text.contains("    // that is 2 x\n    let y: f64 = x + x; // twice\n"), "{text}");
+    }
+
+    /// What is asked for is the body's value, or that the body ends; nothing of the way there is given.
+    #[test]
+    fn a_whole_body_is_one_question() {
+        let hole = |body: &str| {
+            let text = format!("fn f() {{\n    // exercise a: b?\n    {body}\n    // end a\n}}\n");
+            cut(&text, &[("a".to_string(), Filling::Question)].into_iter().collect()).unwrap()
+        };
+        assert_eq!(hole("let y = 2.0 * x;\n    y + 1.0"), "fn f() {\n    todo!(\"b?\")\n}\n");
+        assert_eq!(hole("if x { return None; }"), "fn f() {\n    todo!(\"b?\");\n}\n");
+        assert_eq!(hole("if x { 1 } else { 2 }"), "fn f() {\n    todo!(\"b?\")\n}\n");
+        let bound = "let y = 2.0 * x;\n    if y > 1.0 { return None; }";
+        assert_eq!(hole(bound), "fn f() {\n    let y = todo!(\"b?\");\n}\n");
     }
 
     #[test]

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use toml::{Table, Value};
 
-use crate::Source;
 use crate::source::Files;
+use crate::{Source, slice};
 
 /// The crates that a chapter's bare library stands on.
 #[derive(Clone, Debug)]
@@ -68,8 +68,8 @@ impl Given {
         self.needs.get(name).map(|needs| needs.iter().map(line).collect()).unwrap_or_default()
     }
 
-    /// The given crates as files, a folder each.
-    pub fn files(&self, source: &Source) -> Result<Files, String> {
+    /// The given crates as files, a folder each, but for modules that stay behind: `math/grid`.
+    pub fn files(&self, source: &Source, without: &[String]) -> Result<Files, String> {
         let mut files = Files::new();
         for (name, folder) in &self.folders {
             let cargo = format!(
@@ -81,6 +81,14 @@ impl Given {
             for (file, text) in source.whole(&format!("{folder}/src"), "lib.rs")? {
                 files.insert(format!("{name}/src/{file}"), text);
             }
+        }
+        for path in without {
+            let (name, module) = path.split_once('/').ok_or(format!("{path} is no module of a crate"))?;
+            let behind = [format!("{name}/src/{module}.rs"), format!("{name}/src/{module}/")];
+            let lib = files.get_mut(&format!("{name}/src/lib.rs"));
+            let lib = lib.ok_or(format!("{path} is not given"))?;
+            *lib = slice::without_module(lib, module)?;
+            files.retain(|file, _| *file != behind[0] && !file.starts_with(&behind[1]));
         }
         Ok(files)
     }

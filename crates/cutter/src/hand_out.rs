@@ -15,7 +15,7 @@ pub fn hand_out(
 ) -> Result<Files, String> {
     let given = given(source, &manifest.folder)?;
     let mut files = Files::new();
-    for (path, text) in given.files(source)? {
+    for (path, text) in given.files(source, &manifest.without)? {
         files.insert(format!("given/{path}"), text);
     }
     for (path, text) in source.whole("crates/exercise/src", "lib.rs")? {

@@ -14,6 +14,7 @@
 //! a student; [`modules`] writes the reference solution, the mistakes and other solutions as modules of one crate.
 
 pub mod cut;
+pub mod docs;
 pub mod given;
 pub mod hand_out;
 pub mod manifest;

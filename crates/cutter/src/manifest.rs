@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use crate::slice::{self, Part};
 use crate::source::Files;
-use crate::{Filling, Source, cut};
+use crate::{Filling, Source, cut, docs};
 
 /// An exercise.
 #[derive(Clone, Debug)]
@@ -35,6 +35,10 @@ pub struct Manifest {
     pub holes: Vec<String>,
     /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`].
     pub brings: BTreeMap<String, Part>,
+    /// Modules of given crates that stay behind, since they have the answer: `math/grid`.
+    pub without: Vec<String>,
+    /// What the hand-out says of items of `file`, where the chapter's own words have the answer; see [`docs`].
+    pub docs: BTreeMap<String, String>,
     /// The names of a case's numbers.
     pub columns: Vec<String>,
     /// What an answer can be right about.
@@ -113,6 +117,10 @@ impl Manifest {
             source.add(&src, file, part, &Fillings::new(), &mut files)?;
         }
         source.add(&src, &self.file, &Part::All, fillings, &mut files)?;
+        if let Some(text) = files.get_mut(&self.file) {
+            let said = docs::reworded(text, &self.docs);
+            *text = said.map_err(|error| format!("{src}/{}: {error}", self.file))?;
+        }
         let names = match self.brings.get("lib.rs") {
             Some(Part::Items(names)) => names.as_slice(),
             _ => &[],
@@ -173,6 +181,15 @@ fn manifest(table: &Table, folder: &str, name: &str) -> Result<Manifest, String>
         task: string(table, "task")?,
         file: string(table, "file")? + ".rs",
         brings: brings.iter().map(part).collect::<Result<_, _>>()?,
+        without: if table.contains_key("without") { strings(table, "without")? } else { Vec::new() },
+        docs: match table.get("docs").map(Value::as_table) {
+            None => BTreeMap::new(),
+            Some(None) => return Err("`docs` is a table of texts".to_string()),
+            Some(Some(docs)) => docs
+                .keys()
+                .map(|name| Ok((name.clone(), string(docs, name)?)))
+                .collect::<Result<_, String>>()?,
+        },
         columns,
         properties,
         mistakes,

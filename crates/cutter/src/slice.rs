@@ -76,6 +76,24 @@ pub fn items(text: &str, names: &[String], modules: &[String]) -> Result<Slice, 
     }
 }
 
+/// Everything but one module, and what is taken from it.
+pub fn without_module(text: &str, module: &str) -> Result<String, String> {
+    let (mut result, mut from, mut found) = (String::new(), 0, false);
+    for item in &parse(text)?.items {
+        let of_it = match item {
+            Item::Mod(it) => it.ident == module,
+            Item::Use(it) => first_of(&it.tree) == module,
+            _ => false,
+        };
+        if of_it {
+            let range = lines(text, item.span());
+            result += &text[from..range.start];
+            (from, found) = (range.end, true);
+        }
+    }
+    if found { Ok(result + &text[from..]) } else { Err(format!("there is no module {module}")) }
+}
+
 fn parse(text: &str) -> Result<syn::File, String> {
     syn::parse_file(text).map_err(|error| {
         let at = error.span().start();
@@ -193,6 +211,14 @@ mod tests {
                         pub struct One<R>(R);\n\nimpl<R> One<R> {\n    fn f() {}\n}\n";
         assert_eq!(slice.text, expected);
         assert_eq!(items(TEXT, &["Three".into()], &[]).unwrap_err(), "there is no item Three");
+    }
+
+    #[test]
+    fn a_module_stays_behind_with_what_is_taken_from_it() {
+        let text = without_module(TEXT, "a").unwrap();
+        assert!(!text.contains("mod a;") && !text.contains("a::A"), "{text}");
+        assert!(text.contains("use math::Real;\npub use b::B;\n"), "{text}");
+        assert_eq!(without_module(TEXT, "c").unwrap_err(), "there is no module c");
     }
 
     #[test]
