@@ -68,7 +68,9 @@ fn cargo(manifest: &Manifest, dependencies: &str) -> String {
 fn tests(manifest: &Manifest, library: &str) -> String {
     let mut text = "//! `cargo test`: what your code should be right about, one by one.\n".to_string();
     for property in &manifest.properties {
-        let name = property.name.replace(|sign: char| !sign.is_ascii_alphanumeric(), "_").to_lowercase();
+        let words = property.name.split(|sign: char| !sign.is_ascii_alphanumeric());
+        let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+        let name = words.join("_").to_lowercase();
         let name =
             if name.starts_with(|sign: char| sign.is_ascii_digit()) { format!("p{name}") } else { name };
         text += &format!(
