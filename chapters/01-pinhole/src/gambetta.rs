@@ -30,8 +30,10 @@ pub fn canvas_to_viewport<R: Real>(
     let (v_w, v_h) = (window.right - window.left, window.top - window.bottom);
     let (center_x, center_y) = window.center();
 
+    // exercise scale: How far on the viewport is one pixel to the right, and how far one pixel up?
     let v_x = c_x * v_w / c_w;
     let v_y = c_y * v_h / c_h;
+    // end scale
     let v = R::vec3(center_x + v_x, center_y + v_y, d);
 
     GambettaPixel { canvas: (c_w, c_h), viewport: (v_w, v_h), c_x, c_y, v }
@@ -42,7 +44,9 @@ pub fn canvas_to_viewport<R: Real>(
 pub fn canvas_coordinates<R: Real>((columns, rows): (u32, u32), (col, row): (u32, u32)) -> (R, R) {
     let [c_w, c_h, col, row] = [columns, rows, col, row].map(|number| R::round_from(f64::from(number)));
     let half = R::from(0.5);
+    // exercise coordinates: From the center of the canvas, x right and y up: where is column col, row row?
     (col - c_w * half, c_h * half - row)
+    // end coordinates
 }
 
 /// `PutPixel`'s other way round: the column and row of canvas coordinates that lie on the canvas.

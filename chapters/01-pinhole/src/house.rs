@@ -38,13 +38,19 @@ pub fn house_pixel<R: Real>(
     let (w, h) = (window.right - window.left, window.top - window.bottom);
     let (c_x, c_y) = window.center();
 
+    // exercise size: How high is a row of the screen, and how wide a column, in units of the scene?
     let pixheight = h / m;
     let pixwidth = w / n;
+    // end size
+    // exercise center: At which height is the middle of row i, and how far to the right that of column j?
     let p_y = c_y - h / two + pixheight * (row + half);
     let p_x = c_x - w / two + pixwidth * (column + half);
+    // end center
     let p_z = -z_p;
     let p = R::vec3(p_x, p_y, p_z);
+    // exercise u_r: Which vector of length 1 points from the eye to p?
     let u_r = p / p.length();
+    // end u_r
 
     let c = R::vec3(c_x, c_y, p_z);
     HousePixel { i, j, screen: (w, h), c, pixwidth, pixheight, p, u_r }
