@@ -24,9 +24,11 @@ pub struct Notes<R: Real> {
 pub fn notes<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Notes<R> {
     let (p_x, u_x) = (ray.origin.x(), ray.direction.x());
 
+    // exercise t: At which t is the x of the ray that of the front face, and at which that of the back face?
     // Eq. 4.1 in x alone: p_x + t u_x = front.
     let t_front = (wall.front - p_x) / u_x;
     let t_back = (wall.back - p_x) / u_x;
+    // end t
 
     Notes { ray: *ray, wall: *wall, t_front, t_back }
 }
@@ -36,10 +38,12 @@ impl<R: Real> Notes<R> {
     /// (The page prints "3 ≥ t ≥ 3.5", which no t satisfies.)
     #[inline]
     pub fn crossing(&self) -> Crossing<R> {
+        // exercise crossing: Where does the line enter, where does it leave, and which lines do neither?
         if self.ray.direction.x() == R::from(0.0) {
             return Crossing::Along(self.wall.along(&self.ray));
         }
         Crossing::Through(Roots::sorted(self.t_front, self.t_back))
+        // end crossing
     }
 
     /// The nearest hit in `span`: "we take t = 3". A ray that starts inside hits where it leaves; one
@@ -48,8 +52,12 @@ impl<R: Real> Notes<R> {
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         self.wall.check(&self.ray)?;
         let Crossing::Through(roots) = self.crossing() else { return Ok(None) };
+        // exercise first: Which of the two does the ray meet first in the span, and when is it neither?
         let Some(t) = roots.first_within(span) else { return Ok(None) };
+        // end first
+        // exercise normal: Does it come in there or go out, and which way does that face look?
         let normal = self.wall.normal(&self.ray, !span.contains(roots.near));
+        // end normal
         Ok(Some(Hit { t, point: self.ray.at(t), normal }))
     }
 }
