@@ -29,11 +29,17 @@ pub struct Notes<R: Real> {
 pub fn notes<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Notes<R> {
     let (p_r, u_r, p_0, n) = (ray.origin, ray.direction, plane.point, plane.normal);
 
+    // exercise distance: How far is the origin above the plane, in lengths of n?
     // n · [(p_r + t u_r) − p_0] = 0, solved for t (Eq. 4.2)
     let from_plane = p_r - p_0;
     let n_dot_p = n.dot(from_plane);
+    // end distance
+    // exercise speed: How much does that change while t grows by 1?
     let n_dot_u = n.dot(u_r);
+    // end speed
+    // exercise t: So at which t is the distance zero?
     let t = -n_dot_p / n_dot_u;
+    // end t
 
     Notes { ray: *ray, plane: *plane, from_plane, n_dot_p, n_dot_u, t }
 }
@@ -46,10 +52,12 @@ impl<R: Real> Notes<R> {
     /// The numbers must be finite; see [`Plane::check`].
     #[inline]
     pub fn meeting(&self) -> Meeting<R> {
+        // exercise meeting: Which rays meet the plane at no single t, and which of those lie within it?
         match parallel(&self.ray, &self.plane) {
             Some(how) => Meeting::Never(how),
             None => Meeting::At(self.t),
         }
+        // end meeting
     }
 
     /// The signed distance of the origin from the plane.
@@ -62,9 +70,11 @@ impl<R: Real> Notes<R> {
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.plane.check(&self.ray)?;
         let Meeting::At(t) = self.meeting() else { return Ok(None) };
+        // exercise ahead: Which t are no hit?
         if !span.contains(t) {
             return Ok(None);
         }
+        // end ahead
         let t = t + R::from(0.0); // minus zero is zero
         Ok(Some(Hit { t, point: self.ray.at(t), normal: self.plane.unit_normal() }))
     }

@@ -26,8 +26,10 @@ pub enum Side {
 
 /// Works out the distance of the point `x` from a plane whose normal is not zero.
 pub fn signed_distance<R: Real>(x: R::Vec3, plane: &Plane<R>) -> SignedDistance<R> {
+    // exercise d: Which vector leads from the plane's point to x, and how much of it goes along the normal?
     let from_plane = x - plane.point;
     let d = plane.unit_normal().dot(from_plane);
+    // end d
     SignedDistance { from_plane, d }
 }
 
@@ -35,11 +37,13 @@ impl<R: Real> SignedDistance<R> {
     /// The meaning of the sign.
     pub fn side(&self) -> Side {
         let zero = R::from(0.0);
+        // exercise side: What does the sign of d say?
         match () {
             _ if self.d > zero => Side::Above,
             _ if self.d < zero => Side::Below,
             _ => Side::On,
         }
+        // end side
     }
 }
 
