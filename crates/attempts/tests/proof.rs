@@ -78,6 +78,8 @@ fn each_mistake_is_called_by_its_name() {
 fn the_models_differ_from_each_other_and_from_the_reference() {
     for exercise in &catalog().exercises {
         let sheet = exercise.sheet();
+        let sheet_of = |known: &homework::Known| homework::sheet(&exercise.manifest, known.probe, usize::MAX);
+        let sheets: Vec<_> = exercise.mistakes.iter().map(sheet_of).collect();
         for (number, known) in exercise.mistakes.iter().enumerate() {
             let made = answers(&sheet, known.probe);
             assert!(
@@ -86,9 +88,8 @@ fn the_models_differ_from_each_other_and_from_the_reference() {
                 exercise.manifest.name,
                 known.name
             );
-            for (other, later) in exercise.mistakes.iter().enumerate().filter(|(other, _)| *other != number) {
-                let other_sheet = homework::sheet(&exercise.manifest, later.probe, usize::MAX);
-                let differ = first_wrong(&other_sheet, &made).is_some();
+            for (other, other_sheet) in sheets.iter().enumerate().filter(|(other, _)| *other != number) {
+                let differ = first_wrong(other_sheet, &made).is_some();
                 assert!(differ, "{}: mistakes {number} and {other} are one", exercise.manifest.name);
             }
         }
