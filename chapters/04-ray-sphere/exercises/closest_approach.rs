@@ -12,12 +12,12 @@ pub fn probe(case: &Case, steps: &mut Steps) {
     let work = closest_approach(&ray, &sphere);
     steps
         .vector("u_r", "D / ‖D‖", work.u_r)
-        .number("t_close", "u_r · (c − p_r)", work.t_close)
+        .number("t_close", "the shadow of c − p_r on the ray", work.t_close)
         .vector("x_close", "p_r + t_close u_r", work.x_close)
         .number("d", "‖x_close − c‖", work.d)
-        .maybe("a", "√(r² − d²)", work.a, "none: a miss");
+        .maybe("a", "from x_close to the surface", work.a, "none: a miss");
     let Some(distances) = work.distances() else { return };
-    steps.numbers("t", "t_close ± a", &[distances.near, distances.far]);
+    steps.numbers("t", "enters, leaves", &[distances.near, distances.far]);
     match work.hit(Span::ahead()) {
         Ok(Some(hit)) => steps.vector("x_hit", "p_r + t u_r", hit.point),
         _ => steps.text("x_hit", "p_r + t u_r", "none: it lies behind"),

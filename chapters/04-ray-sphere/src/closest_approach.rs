@@ -48,15 +48,15 @@ pub fn closest_approach_of_unit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> C
 fn along<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, length: R, u_r: R::Vec3) -> ClosestApproach<R> {
     let (p_r, c, r) = (ray.origin, sphere.center, sphere.radius);
 
-    // The nearest point to the center is where c − p_r projects onto the ray.
     // exercise t_close: How long is the shadow that c − p_r casts on the ray?
+    // The nearest point to the center is where c − p_r projects onto the ray.
     let t_close = u_r.dot(c - p_r);
     // end t_close
     let x_close = p_r + u_r * t_close;
-
-    // Pythagoras: a² + d² = r².
     let d = (x_close - c).length();
-    // exercise a: The radius to the surface, d and a make a right triangle: how long is a, and when is there none?
+
+    // exercise a: r, d and a are the sides of a right triangle: how long is a, and when is there none?
+    // Pythagoras: a² + d² = r².
     let a = if d <= r { Some((r * r - d * d).sqrt()) } else { None };
     // end a
 

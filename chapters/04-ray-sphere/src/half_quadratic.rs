@@ -60,15 +60,21 @@ pub fn half_quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> HalfQuadrat
     let r = sphere.radius;
     let from_center = ray.origin - sphere.center;
 
+    // exercise coefficients: Which A, B and C make A λ² + 2 B λ + C = 0 out of the sphere's equation?
     // A λ² + 2 B λ + C = 0
     let a = ray.direction.dot(ray.direction);
     let b = from_center.dot(ray.direction);
     let c = from_center.dot(from_center) - r * r;
+    // end coefficients
 
+    // exercise d: Without Gambetta's twos and fours, what is under the root, and when is there none?
     let d = b * b - a * c;
-    let root = if d < R::from(0.0) { None } else { Some(d.sqrt()) };
+    let root: Option<R> = if d < R::from(0.0) { None } else { Some(d.sqrt()) };
+    // end d
+    // exercise lambdas: What are the two solutions now, λ1 the larger and λ2 the smaller?
     let lambda_1 = root.map(|root| -b / a + root / a);
     let lambda_2 = root.map(|root| -b / a - root / a);
+    // end lambdas
 
     HalfQuadratic { ray: *ray, sphere: *sphere, a, b, c, d, lambda_1, lambda_2 }
 }
@@ -84,12 +90,14 @@ impl<R: Real> HalfQuadratic<R> {
     pub fn visibility(&self) -> Option<Visibility> {
         let Roots { near, far } = self.roots()?;
         let zero = R::from(0.0);
+        // exercise visibility: Which signs do λ2 and λ1 have in each case, and what is left for `Touching`?
         Some(match () {
             _ if far < zero => Visibility::Behind,
             _ if near > zero => Visibility::InFront,
             _ if near < zero && far > zero => Visibility::Inside,
             _ => Visibility::Touching,
         })
+        // end visibility
     }
 
     /// The nearest hit in `span`.

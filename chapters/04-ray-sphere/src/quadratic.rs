@@ -37,15 +37,21 @@ pub fn quadratic<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Quadratic<R> {
     let r = sphere.radius;
     let co = ray.origin - sphere.center;
 
+    // exercise coefficients: With O + tD in the sphere's equation, what stands with t², with t, and alone?
     // ⟨CO + tD, CO + tD⟩ = r², sorted by powers of t: a t² + b t + c = 0.
     let a = ray.direction.dot(ray.direction);
     let b = two * co.dot(ray.direction);
     let c = co.dot(co) - r * r;
+    // end coefficients
 
+    // exercise discriminant: What stands under the root in the solution, and when is there no root?
     let discriminant = b * b - four * a * c;
-    let root = if discriminant < R::from(0.0) { None } else { Some(discriminant.sqrt()) };
+    let root: Option<R> = if discriminant < R::from(0.0) { None } else { Some(discriminant.sqrt()) };
+    // end discriminant
+    // exercise solutions: What are the two solutions, t1 the larger and t2 the smaller?
     let t1 = root.map(|root| (-b + root) / (two * a));
     let t2 = root.map(|root| (-b - root) / (two * a));
+    // end solutions
 
     Quadratic { ray: *ray, sphere: *sphere, co, a, b, c, discriminant, t1, t2 }
 }

@@ -40,6 +40,7 @@ pub struct Shortcut<R: Real> {
 /// A degenerate ray or sphere gives values that mean nothing; [`Shortcut::hit`] refuses them.
 #[inline]
 pub fn shortcut<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Shortcut<R> {
+    // exercise shortcut: How close does the ray pass the center, by Pythagoras, and how long is half the chord?
     let r = sphere.radius;
     let length = ray.direction.length();
     let u_r = ray.direction / length;
@@ -52,14 +53,17 @@ pub fn shortcut<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Shortcut<R> {
     let a = if a_squared < R::from(0.0) { None } else { Some(a_squared.sqrt()) };
 
     Shortcut { ray: *ray, sphere: *sphere, length, u_r, l, t_close, d_squared, a_squared, a }
+    // end shortcut
 }
 
 impl<R: Real> Shortcut<R> {
     /// t_close ± a in lengths of the direction as given; `None` for a miss.
     #[inline]
     pub fn roots(&self) -> Option<Roots<R>> {
+        // exercise roots: Where does the ray enter and leave, in lengths of the direction as given?
         let a = self.a?;
         Some(Roots { near: (self.t_close - a) / self.length, far: (self.t_close + a) / self.length })
+        // end roots
     }
 
     /// The nearest hit in `span`.
