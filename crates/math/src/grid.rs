@@ -1,8 +1,6 @@
 //! The three pixel grids: where in the window a pixel's sample lies.
 
-use std::fmt;
-
-use crate::{Real, Window};
+use crate::{NoGrid, Real, Window};
 
 /// How the pixels of a picture are laid over the window. Each of the three notes has its own.
 ///
@@ -18,18 +16,6 @@ pub enum Grid {
     /// CSC418 11.2: Δu = (w_r − w_l)/(n_c − 1), from edge to edge.
     Edges,
 }
-
-/// A grid that cannot be laid: `edges` with a single column or row divides by zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoGrid;
-
-impl fmt::Display for NoGrid {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the grid `edges` needs at least two columns and two rows: Δu = (w_r − w_l)/(n_c − 1)")
-    }
-}
-
-impl std::error::Error for NoGrid {}
 
 impl Grid {
     /// Every grid, in the order of the notes.
