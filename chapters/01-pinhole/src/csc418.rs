@@ -36,9 +36,13 @@ pub fn csc418_pixel<R: Real>(
     let one = R::from(1.0);
     let window = camera.window;
 
+    // exercise steps: How far, and which way, is the next pixel on the right, and the next one below?
     let delta_u = (window.right - window.left) / (n_c - one);
     let delta_v = (window.bottom - window.top) / (n_r - one);
+    // end steps
+    // exercise camera: Where in the window is pixel (0, 0), and where, from there, is pixel (i, j)?
     let (x, y) = (window.left + column * delta_u, window.top + row * delta_v);
+    // end camera
     let p_camera = R::vec3(x, y, camera.f);
 
     let p_world = camera.u * x + camera.v * y + camera.w * camera.f + camera.e;
