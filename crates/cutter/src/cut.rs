@@ -10,6 +10,8 @@ use syn::spanned::Spanned;
 pub enum Filling {
     /// `todo!` with the region's question.
     Question,
+    /// `todo!` that asks nothing: the region is another exercise's.
+    Hidden,
     /// Other lines.
     Lines(String),
 }
@@ -90,7 +92,8 @@ pub fn cut(text: &str, fillings: &BTreeMap<String, Filling>) -> Result<String, S
                 if let Some(filling) = fillings.get(&region.name) {
                     let indent = &line[..line.len() - line.trim_start().len()];
                     let lines = match filling {
-                        Filling::Question => holes(&region)?,
+                        Filling::Question => holes(&region, &region.question)?,
+                        Filling::Hidden => holes(&region, HIDDEN)?,
                         Filling::Lines(lines) => lines.clone(),
                     };
                     result += &indented(&lines, indent);
@@ -119,9 +122,13 @@ fn indented(lines: &str, indent: &str) -> String {
     lines.lines().map(moved).collect()
 }
 
-/// The region with its question in place of each value: what it binds is bound still, so that the rest compiles.
-fn holes(region: &Region) -> Result<String, String> {
-    let question = format!("todo!({:?})", region.question);
+/// What stands in place of another exercise's region.
+const HIDDEN: &str = "nothing is to be done here: this belongs to another exercise";
+
+/// The region with a question in place of each value: what it binds is bound still, so that the rest compiles.
+fn holes(region: &Region, question: &str) -> Result<String, String> {
+    // {:?} would take letters apart from their accents
+    let question = format!("todo!(\"{}\")", question.replace('\\', "\\\\").replace('"', "\\\""));
     let (text, block) = block(region)?;
     let mut lines = String::new();
     let mut asked = false;
@@ -212,6 +219,21 @@ mod tests {
         let text = filled(&[("less", Filling::Question)]).unwrap();
         assert!(text.contains("    todo!(\"And one less?\")\n}"), "{text}");
         assert!(text.contains("    // that is 2 x\n    let y: f64 = x + x; // twice\n"), "{text}");
+        let text = filled(&[("less", Filling::Hidden)]).unwrap();
+        assert!(
+            text.contains("todo!(\"nothing is to be done here") && !text.contains("And one less?"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn where_a_region_is_a_value_one_question_is_enough() {
+        let hole = |lines: &str| {
+            holes(&Region { name: "a".into(), question: String::new(), lines: lines.into() }, "b?").unwrap()
+        };
+        assert_eq!(hole("    let a = 1;\n    a + 1\n"), "    todo!(\"b?\")\n");
+        let region = Region { name: "a".into(), question: String::new(), lines: "a\n".into() };
+        assert_eq!(holes(&region, "p̄ \"b\"?").unwrap(), "todo!(\"p̄ \\\"b\\\"?\")\n");
     }
 
     /// What is asked for is the body's value, or that the body ends; nothing of the way there is given.

@@ -27,7 +27,9 @@ pub fn hand_out(
     }
     let about = format!(
         "//! {}: what of the chapter `{}` goes with it. Your part is in {}.\n\n",
-        manifest.name, manifest.chapter, manifest.file
+        manifest.name,
+        manifest.chapter,
+        manifest.asks(source)?.into_iter().map(|(file, _)| file).collect::<Vec<_>>().join(" and ")
     );
     let lib = files.entry("src/lib.rs".into()).or_default();
     *lib = format!("{about}{lib}{WORK}");
@@ -82,17 +84,20 @@ fn tests(manifest: &Manifest, library: &str) -> String {
 }
 
 fn readme(manifest: &Manifest, source: &Source, transcript: &str) -> Result<String, String> {
-    let Manifest { title, name, page, minutes, task, file, predict, properties, .. } = manifest;
+    let Manifest { title, name, page, minutes, task, predict, properties, .. } = manifest;
     let mut text = format!(
         "# {title}\n\n`{name}` · {page} · about {minutes} minutes\n\n{task}\n\n## Before you start\n\n{}\n\nWrite your \
-         answer down; then see.\n\n## What to do\n\n`src/{file}` asks, where it says `todo!`:\n\n",
+         answer down; then see.\n\n## What to do\n",
         predict.0
     );
-    for region in manifest.regions(source)? {
-        text += &format!("- {}\n", region.question);
+    for (file, regions) in manifest.asks(source)? {
+        text += &format!("\n`src/{file}` asks, where it says `todo!`:\n\n");
+        for region in regions {
+            text += &format!("- {}\n", region.question);
+        }
     }
     text += &format!(
-        "\nPut your lines in place of each `todo!`. Helpers of your own may go into that file, or into modules below it.\n\n\
+        "\nPut your lines in place of each of these `todo!`s. Helpers of your own may go there, or into modules below.\n\n\
          ```sh\ncargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
          cargo test    # what your code should be right about, one by one\n```\n\n\
          With the workbench at hand, `workbench check .` (there: `cargo run --release -- check FOLDER`) tries cases that \

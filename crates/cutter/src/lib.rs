@@ -8,10 +8,11 @@
 //! // end t_close
 //! ```
 //!
-//! [`cut`](mod@cut) takes regions out and puts a question, or another solution, in their place. [`slice`] takes from the rest of
-//! the chapter what the region needs and nothing else. A [`Manifest`], a TOML file in the chapter's folder `exercises`,
-//! says which regions and which rest, and knows the mistakes that are often made. [`hand_out`] writes a project for
-//! a student; [`modules`] writes the reference solution, the mistakes and other solutions as modules of one crate.
+//! [`cut`](mod@cut) takes regions out and puts a question, or another solution, in their place. [`slice`](mod@slice)
+//! takes from the rest of the chapter what the region needs and nothing else. A [`Manifest`], a TOML file in the chapter's
+//! folder `exercises`, says which regions and which rest, and knows the mistakes that are often made. [`hand_out()`] writes
+//! a project for a student; [`modules`] writes the reference solution, the mistakes and other solutions as modules of one
+//! crate.
 
 pub mod cut;
 pub mod docs;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use toml::{Table, Value};
 
-use crate::slice::{self, Part};
+use crate::slice::{self, Modules, Part};
 use crate::source::Files;
 use crate::{Filling, Source, cut, docs};
 
@@ -29,11 +29,14 @@ pub struct Manifest {
     pub predict: (String, String),
     /// What a student is told, in some sentences.
     pub task: String,
-    /// The file with the regions, in the chapter's `src`: `closest_approach.rs`.
+    /// The file with the regions, in the chapter's `src`: `closest_approach.rs`. Regions may be in files of `brings` too.
     pub file: String,
     /// The names of the regions that become holes.
     pub holes: Vec<String>,
-    /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`].
+    /// The names of regions that are another exercise's: a hand-out has neither their lines nor their question.
+    pub hides: Vec<String>,
+    /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`]. All of `file` comes, but for
+    /// what is said of it here.
     pub brings: BTreeMap<String, Part>,
     /// Modules of given crates that stay behind, since they have the answer: `math/grid`.
     pub without: Vec<String>,
@@ -111,12 +114,21 @@ impl Manifest {
     pub fn library(&self, source: &Source, fillings: &Fillings) -> Result<Files, String> {
         let src = format!("{}/src", self.folder);
         let mut files = Files::new();
-        let mut modules = vec![module_of(&self.file)];
-        for (file, part) in self.brings.iter().filter(|(file, _)| *file != "lib.rs") {
-            modules.push(module_of(file));
-            source.add(&src, file, part, &Fillings::new(), &mut files)?;
+        let parts = self.parts();
+        let top =
+            |(file, part): (&String, &Part)| (!file.contains('/')).then(|| (module_of(file), part.clone()));
+        let modules: Modules = parts.iter().filter_map(top).collect();
+        // a file comes before those of its modules, which may be other parts of them
+        for (file, part) in &parts {
+            let below = modules_below(file, &parts);
+            let here = |(name, _): &(&String, &Filling)| self.file_of(source, name).as_ref() == Ok(file);
+            let fillings =
+                fillings.iter().filter(here).map(|(name, it)| (name.clone(), it.clone())).collect();
+            source.add(&src, file, part, &below, &fillings, &mut files)?;
         }
-        source.add(&src, &self.file, &Part::All, fillings, &mut files)?;
+        if let Some(name) = fillings.keys().find(|name| self.file_of(source, name).is_err()) {
+            self.file_of(source, name)?;
+        }
         if let Some(text) = files.get_mut(&self.file) {
             let said = docs::reworded(text, &self.docs);
             *text = said.map_err(|error| format!("{src}/{}: {error}", self.file))?;
@@ -132,20 +144,51 @@ impl Manifest {
         Ok(files)
     }
 
-    /// The regions that become holes.
-    pub fn regions(&self, source: &Source) -> Result<Vec<cut::Region>, String> {
-        let path = format!("{}/src/{}", self.folder, self.file);
-        let regions = cut::regions(&source.read(&path)?).map_err(|error| format!("{path}: {error}"))?;
-        let find = |name: &String| {
-            let region = regions.iter().find(|region| region.name == *name).cloned();
-            region.ok_or(format!("{path}: there is no `// exercise {name}`"))
-        };
-        self.holes.iter().map(find).collect()
+    /// The files that come along, but for `lib.rs`, and how much of each.
+    fn parts(&self) -> BTreeMap<String, Part> {
+        let mut parts = self.brings.clone();
+        parts.remove("lib.rs");
+        parts.entry(self.file.clone()).or_insert(Part::All);
+        parts
     }
 
-    /// A question in every hole.
+    /// The file with a region.
+    fn file_of(&self, source: &Source, name: &str) -> Result<String, String> {
+        let parts = self.parts();
+        for file in parts.keys() {
+            let path = format!("{}/src/{file}", self.folder);
+            let regions = cut::regions(&source.read(&path)?).map_err(|error| format!("{path}: {error}"))?;
+            if regions.iter().any(|region| region.name == name) {
+                return Ok(file.clone());
+            }
+        }
+        Err(format!("{}/src/{}: there is no `// exercise {name}`", self.folder, self.file))
+    }
+
+    /// The regions that become holes, by their files, in order.
+    pub fn asks(&self, source: &Source) -> Result<Vec<(String, Vec<cut::Region>)>, String> {
+        let mut asks: Vec<(String, Vec<cut::Region>)> = Vec::new();
+        for name in &self.holes {
+            let file = self.file_of(source, name)?;
+            let regions = cut::regions(&source.read(&format!("{}/src/{file}", self.folder))?)?;
+            let region = regions.into_iter().find(|region| region.name == *name);
+            match asks.iter_mut().find(|(other, _)| *other == file) {
+                Some((_, regions)) => regions.extend(region),
+                None => asks.push((file, region.into_iter().collect())),
+            }
+        }
+        Ok(asks)
+    }
+
+    /// The same without their files.
+    pub fn regions(&self, source: &Source) -> Result<Vec<cut::Region>, String> {
+        Ok(self.asks(source)?.into_iter().flat_map(|(_, regions)| regions).collect())
+    }
+
+    /// A question in every hole, and nothing where another exercise has one.
     pub fn questions(&self) -> Fillings {
-        self.holes.iter().map(|name| (name.clone(), Filling::Question)).collect()
+        let asked = self.holes.iter().map(|name| (name.clone(), Filling::Question));
+        asked.chain(self.hides.iter().map(|name| (name.clone(), Filling::Hidden))).collect()
     }
 }
 
@@ -154,10 +197,18 @@ fn module_of(file: &str) -> String {
     file.trim_end_matches(".rs").split('/').next().unwrap_or_default().to_string()
 }
 
+/// Of the modules that a file declares, those that come along as parts of their own.
+fn modules_below(file: &str, parts: &BTreeMap<String, Part>) -> Modules {
+    let folder = format!("{}/", file.trim_end_matches(".rs"));
+    let below = |(it, part): (&String, &Part)| Some((module_of(it.strip_prefix(&folder)?), part.clone()));
+    parts.iter().filter_map(below).collect()
+}
+
 fn manifest(table: &Table, folder: &str, name: &str) -> Result<Manifest, String> {
     let chapter = folder.trim_start_matches("chapters/").get(3..).unwrap_or_default().to_string();
     let predict = get(table, "predict")?.as_table().ok_or("`predict` has a question and an answer")?;
     let holes = strings(table, "holes")?;
+    let hides = if table.contains_key("hides") { strings(table, "hides")? } else { Vec::new() };
     let brings = get(table, "brings")?.as_table().ok_or("`brings` is a table of files")?;
     let part = |(file, part): (&String, &Value)| match part {
         Value::String(all) if all == "all" => Ok((format!("{file}.rs"), Part::All)),
@@ -195,6 +246,7 @@ fn manifest(table: &Table, folder: &str, name: &str) -> Result<Manifest, String>
         mistakes,
         others: others.iter().map(|it| fillings(it, &holes)).collect::<Result<_, _>>()?,
         holes,
+        hides,
     })
 }
 

@@ -1,5 +1,7 @@
 //! What of a file comes along: all of it but its tests and its stage, or some of its items.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Attribute, Item, Meta, UseTree};
@@ -42,9 +44,12 @@ pub fn without_tests(text: &str, keeps: impl Fn(&str) -> bool) -> Result<Slice, 
     Ok(slice)
 }
 
+/// The modules that a file declares and that come along, by name, and how much of each.
+pub type Modules = BTreeMap<String, Part>;
+
 /// The items with these names in the file's order, what is implemented for them, imports from outside, and of `modules`
-/// their declarations and what is taken from them.
-pub fn items(text: &str, names: &[String], modules: &[String]) -> Result<Slice, String> {
+/// their declarations and what is taken from them, as far as it is there.
+pub fn items(text: &str, names: &[String], modules: &Modules) -> Result<Slice, String> {
     let file = parse(text)?;
     let every = file.items.iter().filter_map(module).collect::<Vec<_>>();
     let mut slice = Slice { text: String::new(), modules: Vec::new() };
@@ -52,21 +57,26 @@ pub fn items(text: &str, names: &[String], modules: &[String]) -> Result<Slice, 
     let mut before = None;
     for item in file.items.iter().filter(|item| is_built(attributes(item))) {
         let name = name(item);
+        let whole = || text[lines(text, item.span())].trim_start_matches('\n').to_string();
         let wanted = match item {
             Item::Use(it) => {
                 let from = first_of(&it.tree);
-                from != "crate" && (modules.contains(&from) || !every.contains(&from))
+                match modules.get(&from) {
+                    Some(Part::Items(there)) => taken(text, it, there),
+                    Some(Part::All) => Some(whole()),
+                    None => (from != "crate" && !every.contains(&from)).then(whole),
+                }
             }
-            Item::Mod(it) if it.content.is_none() => modules.contains(&it.ident.to_string()),
-            _ => name.as_ref().is_some_and(|name| names.contains(name)),
+            Item::Mod(it) if it.content.is_none() => modules.contains_key(&it.ident.to_string()).then(whole),
+            _ => name.as_ref().is_some_and(|name| names.contains(name)).then(whole),
         };
-        if wanted {
+        if let Some(wanted) = wanted {
             missing.retain(|&missing| Some(missing) != name.as_ref());
             slice.modules.extend(module(item));
             let kind = std::mem::discriminant(item);
             let together = matches!(item, Item::Use(_) | Item::Mod(_)) && before.is_none_or(|it| it == kind);
             slice.text += if together { "" } else { "\n" };
-            slice.text += text[lines(text, item.span())].trim_start_matches('\n');
+            slice.text += &wanted;
             before = Some(kind);
         }
     }
@@ -166,6 +176,26 @@ fn holds(condition: &Meta) -> bool {
     }
 }
 
+/// An import of some names from a module, of those that are there; `None` where none is.
+fn taken(text: &str, import: &syn::ItemUse, there: &[String]) -> Option<String> {
+    let UseTree::Path(path) = &import.tree else { return None };
+    let name = |tree: &UseTree| match tree {
+        UseTree::Name(it) => Some(it.ident.to_string()).filter(|name| there.contains(name)),
+        _ => None,
+    };
+    let names: Vec<String> = match &*path.tree {
+        UseTree::Group(group) => group.items.iter().filter_map(name).collect(),
+        tree => name(tree).into_iter().collect(),
+    };
+    let before = &text[import.span().byte_range().start..import.tree.span().byte_range().start];
+    let list = names.join(", ");
+    match names.len() {
+        0 => None,
+        1 => Some(format!("{before}{}::{list};\n", path.ident)),
+        _ => Some(format!("{before}{}::{{{list}}};\n", path.ident)),
+    }
+}
+
 fn first_of(tree: &UseTree) -> String {
     match tree {
         UseTree::Path(it) => it.ident.to_string(),
@@ -206,11 +236,24 @@ mod tests {
 
     #[test]
     fn items_come_with_what_is_implemented_for_them() {
-        let slice = items(TEXT, &["One".into()], &["a".into()]).unwrap();
+        let modules = Modules::from([("a".to_string(), Part::All)]);
+        let slice = items(TEXT, &["One".into()], &modules).unwrap();
         let expected = "mod a;\n\nuse math::Real;\npub use a::A;\n\n/// One.\n#[derive(Clone)]\n\
                         pub struct One<R>(R);\n\nimpl<R> One<R> {\n    fn f() {}\n}\n";
         assert_eq!(slice.text, expected);
-        assert_eq!(items(TEXT, &["Three".into()], &[]).unwrap_err(), "there is no item Three");
+        assert_eq!(items(TEXT, &["Three".into()], &modules).unwrap_err(), "there is no item Three");
+    }
+
+    #[test]
+    fn nothing_is_imported_that_stayed_behind() {
+        let some = |there: &[&str]| {
+            let part = Part::Items(there.iter().map(|name| name.to_string()).collect());
+            let text = "mod a;\npub(crate) use a::{A, b, C};\npub use a::D;\n";
+            items(text, &[], &Modules::from([("a".to_string(), part)])).unwrap().text
+        };
+        assert_eq!(some(&["C", "A"]), "mod a;\n\npub(crate) use a::{A, C};\n");
+        assert_eq!(some(&["b", "D"]), "mod a;\n\npub(crate) use a::b;\npub use a::D;\n");
+        assert_eq!(some(&[]), "mod a;\n");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::slice::{self, Part, Slice};
+use crate::slice::{self, Modules, Part, Slice};
 use crate::{Filling, cut};
 
 /// A checkout of this workspace.
@@ -62,29 +62,41 @@ impl Source {
     /// `src`, `file` the path of the file in it.
     pub fn whole(&self, folder: &str, file: &str) -> Result<Files, String> {
         let mut files = Files::new();
-        self.add(folder, file, &Part::All, &BTreeMap::new(), &mut files)?;
+        self.add(folder, file, &Part::All, &Modules::new(), &BTreeMap::new(), &mut files)?;
         Ok(files)
     }
 
-    /// Adds a part of a file, with the modules below it, with some of its regions filled.
+    /// Adds a part of a file, with some of its regions filled. All of a file has the modules below it with it; some of its
+    /// items have only the declarations of `modules`, which are to be added too.
     pub(crate) fn add(
         &self,
         folder: &str,
         file: &str,
         part: &Part,
+        modules: &Modules,
         fillings: &BTreeMap<String, Filling>,
         files: &mut Files,
     ) -> Result<(), String> {
         let path = format!("{folder}/{file}");
         let said = |error| format!("{path}: {error}");
         let text = cut(&self.read(&path)?, fillings).map_err(said)?;
-        let Slice { text, modules } = match part {
-            Part::All => slice::without_tests(&text, |_| true).map_err(said)?,
-            Part::Items(names) => slice::items(&text, names, &[]).map_err(said)?,
+        let text = match part {
+            Part::All => {
+                let Slice { text, modules } = slice::without_tests(&text, |_| true).map_err(said)?;
+                for module in &modules {
+                    self.add(
+                        folder,
+                        &below(file, module),
+                        &Part::All,
+                        &Modules::new(),
+                        &BTreeMap::new(),
+                        files,
+                    )?;
+                }
+                text
+            }
+            Part::Items(names) => slice::items(&text, names, modules).map_err(said)?.text,
         };
-        for module in &modules {
-            self.add(folder, &below(file, module), &Part::All, &BTreeMap::new(), files)?;
-        }
         files.insert(file.to_string(), text);
         Ok(())
     }
