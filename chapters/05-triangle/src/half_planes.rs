@@ -24,8 +24,8 @@ pub struct HalfPlanes<R: Real> {
     pub lambda: R,
     /// r̄(λ*), where the line of the ray meets the plane.
     pub x: R::Vec3,
-    /// ((p̄2 − p̄1) × (x − p̄1)) · n, the same for p̄2 and p̄3, and for p̄3 and p̄1. None is negative in the triangle; zero
-    /// is on the edge.
+    /// On which side of the edges p̄1 p̄2, p̄2 p̄3 and p̄3 p̄1 the point x is, each as a number. None is negative in the
+    /// triangle; zero is on the edge.
     pub sides: [R; 3],
     /// n · n, which is what the three sides sum to.
     pub n_dot_n: R,
@@ -47,7 +47,12 @@ pub fn half_planes<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> HalfPlanes
     let x = ray.at(lambda);
 
     // The half-plane of an edge: on the left of it, seen from where n points.
-    let side = |from: R::Vec3, to: R::Vec3| R::cross(to - from, x - from).dot(n);
+    let side = |from: R::Vec3, to: R::Vec3| {
+        // exercise side: Which number, of the edge, the way from its start to x, and n, is positive for x on its left?
+        // ((p̄2 − p̄1) × (x − p̄1)) · n
+        R::cross(to - from, x - from).dot(n)
+        // end side
+    };
     let sides = [side(p1, p2), side(p2, p3), side(p3, p1)];
     let n_dot_n = n.dot(n);
 
@@ -60,19 +65,22 @@ impl<R: Real> HalfPlanes<R> {
         parallel(&self.ray, &self.triangle)
     }
 
-    /// α and β of the point. They need no further work: the side of an edge, as a share of n · n, is the share of the
-    /// corner across it. `None` where there is no such point.
+    /// α and β of the point. They need no further work than a division. `None` where there is no such point.
     #[inline]
     pub fn alpha_beta(&self) -> Option<(R, R)> {
-        let [beyond_p3, _, beyond_p2] = self.sides;
-        let (alpha, beta) = (beyond_p2 / self.n_dot_n, beyond_p3 / self.n_dot_n);
+        // exercise shares: The three sides sum to n · n: which of them is the share of p̄2, and which that of p̄3?
+        // The side of an edge, as a share of n · n, is the share of the corner across it.
+        let (alpha, beta): (R, R) = (self.sides[2] / self.n_dot_n, self.sides[0] / self.n_dot_n);
+        // end shares
         (alpha.is_finite() && beta.is_finite()).then_some((alpha, beta))
     }
 
     /// Whether x is in all three half-planes. They say nothing of λ*.
     #[inline]
     pub fn is_inside(&self) -> bool {
+        // exercise inside: What do the three sides tell of a point of the triangle, its edges and corners included?
         self.sides.iter().all(|&side| side >= R::from(0.0))
+        // end inside
     }
 
     /// The hit, where its t = λ* lies in `span` and the point in all three half-planes.

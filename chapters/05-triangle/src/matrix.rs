@@ -8,31 +8,30 @@ use crate::{Hit3, Triangle};
 /// Every number of the second way.
 ///
 /// ā + λ d = p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1) is M (α, β, λ)ᵀ = p̄1 − ā. The page says "invert the matrix";
-/// here it is done by Cramer's rule, so that every determinant is a number one can look at. An unknown is the
-/// determinant of M with the unknown's column replaced by p̄1 − ā, over that of M.
+/// here it is done by Cramer's rule, so that every determinant is a number one can look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Matrix<R: Real> {
     /// The ray ā + λ d.
     pub ray: Ray3<R>,
     /// The triangle.
     pub triangle: Triangle<R>,
-    /// The columns of M: −(p̄2 − p̄1), −(p̄3 − p̄1), d.
+    /// The columns of M, for α, β and λ.
     pub m: [R::Vec3; 3],
-    /// p̄1 − ā, the right-hand side.
+    /// The right-hand side.
     pub to_p1: R::Vec3,
     /// det M, which is d · n.
     pub det: R,
-    /// With p̄1 − ā as the first column.
+    /// The determinant that belongs to α.
     pub det_alpha: R,
-    /// With p̄1 − ā as the second column.
+    /// The one that belongs to β.
     pub det_beta: R,
-    /// With p̄1 − ā as the third column; it is (p̄1 − ā) · n.
+    /// The one that belongs to λ; it is (p̄1 − ā) · n.
     pub det_lambda: R,
-    /// α = det_alpha / det
+    /// α, the share of p̄2
     pub alpha: R,
-    /// β = det_beta / det
+    /// β, the share of p̄3
     pub beta: R,
-    /// λ = det_lambda / det
+    /// λ, along the ray
     pub lambda: R,
 }
 
@@ -44,19 +43,25 @@ pub struct Matrix<R: Real> {
 pub fn matrix<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Matrix<R> {
     let Triangle { p1, p2, p3 } = *triangle;
 
+    // ā + λ d = p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1)
+    // exercise system: With all unknowns on the left, and p̄1 − ā on the right, which columns do α, β and λ have?
     // M (α, β, λ)ᵀ = p̄1 − ā
-    let m = [-(p2 - p1), -(p3 - p1), ray.direction];
+    let m: [R::Vec3; 3] = [-(p2 - p1), -(p3 - p1), ray.direction];
+    // end system
     let to_p1 = p1 - ray.origin;
 
     // Cramer's rule
     let det = determinant::<R>(m[0], m[1], m[2]);
+    // exercise cramer: Which column of M does the right-hand side take the place of, for each unknown?
+    // An unknown is the determinant of M with the unknown's column replaced by p̄1 − ā, over that of M.
     let det_alpha = determinant::<R>(to_p1, m[1], m[2]);
     let det_beta = determinant::<R>(m[0], to_p1, m[2]);
     let det_lambda = determinant::<R>(m[0], m[1], to_p1);
+    // end cramer
 
-    let alpha = det_alpha / det;
-    let beta = det_beta / det;
-    let lambda = det_lambda / det;
+    // exercise solve: What is each unknown, now that the four determinants are there?
+    let [alpha, beta, lambda] = [det_alpha, det_beta, det_lambda].map(|of_unknown| of_unknown / det);
+    // end solve
 
     let (ray, triangle) = (*ray, *triangle);
     Matrix { ray, triangle, m, to_p1, det, det_alpha, det_beta, det_lambda, alpha, beta, lambda }
@@ -80,10 +85,12 @@ impl<R: Real> Matrix<R> {
         (self.alpha.is_finite() && self.beta.is_finite()).then_some((self.alpha, self.beta))
     }
 
-    /// α ≥ 0, β ≥ 0 and α + β ≤ 1: the page's conditions. They say nothing of λ.
+    /// The page's conditions. They say nothing of λ.
     #[inline]
     pub fn is_inside(&self) -> bool {
+        // exercise inside: Which α and β do the points of the triangle have?
         self.alpha >= R::from(0.0) && self.beta >= R::from(0.0) && self.alpha + self.beta <= R::from(1.0)
+        // end inside
     }
 
     /// The hit, where the page's conditions hold and t = λ lies in `span`.
@@ -92,7 +99,10 @@ impl<R: Real> Matrix<R> {
         if try_parallel(&self.ray, &self.triangle)?.is_some() {
             return Ok(None);
         }
-        if !(self.is_inside() && span.contains(self.lambda)) {
+        // exercise counts: The point is in the triangle: what else makes it a hit?
+        let counts: bool = self.is_inside() && span.contains(self.lambda);
+        // end counts
+        if !counts {
             return Ok(None);
         }
         let t = self.lambda + R::from(0.0); // minus zero is zero

@@ -5,15 +5,20 @@
 //! e1 = p̄2 − p̄1, e2 = p̄3 − p̄1 and s = ā − p̄1, where the page has −e1, −e2 and −s: three signs, so that each of
 //! their determinants is the page's with the other sign, and the quotients are the same.
 //!
-//! It is no method of its own here: what it loses, [`mod@matrix`](mod@crate::matrix) loses.
+//! It is not among the chapter's methods: what it loses, [`mod@matrix`](mod@crate::matrix) loses.
 
-use math::{Ray3, Real, Vector};
+use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 
-use crate::Triangle;
+use crate::parallel::try_parallel;
+use crate::{Hit3, Triangle};
 
 /// Every number of Möller and Trumbore's way to the four determinants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MollerTrumbore<R: Real> {
+    /// The ray ā + λ d.
+    pub ray: Ray3<R>,
+    /// The triangle.
+    pub triangle: Triangle<R>,
     /// e1 = p̄2 − p̄1
     pub e1: R::Vec3,
     /// e2 = p̄3 − p̄1
@@ -24,13 +29,13 @@ pub struct MollerTrumbore<R: Real> {
     pub p: R::Vec3,
     /// Q = s × e1
     pub q: R::Vec3,
-    /// P · e1 = −det
+    /// −det of the page
     pub det: R,
-    /// P · s = −det_alpha
+    /// −det_alpha of the page
     pub det_alpha: R,
-    /// Q · d = −det_beta
+    /// −det_beta of the page
     pub det_beta: R,
-    /// Q · e2 = −det_lambda
+    /// −det_lambda of the page
     pub det_lambda: R,
 }
 
@@ -38,12 +43,43 @@ pub struct MollerTrumbore<R: Real> {
 #[inline]
 pub fn moller_trumbore<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> MollerTrumbore<R> {
     let Triangle { p1, p2, p3 } = *triangle;
+
+    // exercise determinants: Which sides and cross products does it take, and which four dot products with those?
     let (e1, e2, s) = (p2 - p1, p3 - p1, ray.origin - p1);
     let p = R::cross(ray.direction, e2);
     let q = R::cross(s, e1);
+    // P · e1 = −det, P · s = −det_alpha, Q · d = −det_beta, Q · e2 = −det_lambda
     let (det, det_alpha) = (p.dot(e1), p.dot(s));
     let (det_beta, det_lambda) = (q.dot(ray.direction), q.dot(e2));
-    MollerTrumbore { e1, e2, s, p, q, det, det_alpha, det_beta, det_lambda }
+    MollerTrumbore { ray: *ray, triangle: *triangle, e1, e2, s, p, q, det, det_alpha, det_beta, det_lambda }
+    // end determinants
+}
+
+impl<R: Real> MollerTrumbore<R> {
+    /// α, β and λ. Infinite or NaN where det is zero.
+    #[inline]
+    pub fn solution(&self) -> [R; 3] {
+        // exercise solution: What are α, β and λ, now that the determinants are there?
+        [self.det_alpha, self.det_beta, self.det_lambda].map(|of_unknown| of_unknown / self.det)
+        // end solution
+    }
+
+    /// The hit in `span`, from either side of the triangle, as [`Matrix::hit`](crate::Matrix::hit) has it.
+    #[inline]
+    pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
+        if try_parallel(&self.ray, &self.triangle)?.is_some() {
+            return Ok(None);
+        }
+        // exercise hit: Which α, β and λ make a hit, and what are its t, its point and its unit normal?
+        let [alpha, beta, lambda] = self.solution();
+        let is_inside = alpha >= R::from(0.0) && beta >= R::from(0.0) && alpha + beta <= R::from(1.0);
+        if !(is_inside && span.contains(lambda)) {
+            return Ok(None);
+        }
+        let t = lambda + R::from(0.0); // minus zero is zero
+        Ok(Some(Hit { t, point: self.ray.at(t), normal: R::cross(self.e1, self.e2).normalized() }))
+        // end hit
+    }
 }
 
 #[cfg(test)]
@@ -69,6 +105,7 @@ mod tests {
                 [-page.det, -page.det_alpha, -page.det_beta, -page.det_lambda],
             );
             assert_eq!(page.det, ray.direction.dot(triangle.normal()));
+            assert_eq!(mt.hit(Span::ahead()), page.hit(Span::ahead()));
         }
     }
 }

@@ -4,7 +4,7 @@ use math::Real;
 use stage::{Transcript, Value};
 
 use crate::polygon::crossing::{Crossing, Way};
-use crate::polygon::even_odd::count_naively;
+use crate::polygon::even_odd::{count_naively, is_inside_as_printed};
 use crate::polygon::{EvenOdd, Polygon, even_odd, star, winding};
 
 /// A point and what is special about it.
@@ -41,7 +41,7 @@ fn concave<R: Real>(transcript: &mut Transcript, star: &Polygon<R>) {
     let rows = OF_THE_STAR.map(|(point, what)| {
         let work = even_odd(star.outline(), point.map(R::from));
         let naively = count_naively(star.outline(), work.point);
-        let printed = inside(work.is_inside_as_printed());
+        let printed = inside(is_inside_as_printed(&work));
         let mut row = place(point, what);
         row.extend([
             crossed(&work),

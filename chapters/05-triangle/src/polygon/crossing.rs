@@ -48,22 +48,30 @@ pub enum Relation {
     OnSide,
 }
 
-/// Where the point `x` is with respect to the side from `p` to `q`, exactly. All must be finite, and `p` is not `q`.
+/// Where the point `x` is with respect to the side from `p` to `q`, exactly, each of them [u, v]. All must be finite, and
+/// `p` is not `q`.
 pub fn relation<R: Real>(p: [R; 2], q: [R; 2], x: [R; 2]) -> Relation {
     let [p, q, x] = [p, q, x].map(|point| point.map(Into::<f64>::into));
-    let goes_up = p[1] <= x[1] && x[1] < q[1];
-    let goes_down = q[1] <= x[1] && x[1] < p[1];
-    // at the height of the side or of its upper end, there may be no crossing and the point on it all the same
-    let is_beside = x[1] < p[1].min(q[1]) || x[1] > p[1].max(q[1]);
-    if is_beside || x[0] > p[0].max(q[0]) {
+    let is_beyond = |axis: usize| x[axis] < p[axis].min(q[axis]) || x[axis] > p[axis].max(q[axis]);
+    if is_beyond(1) {
         return Relation::Apart;
     }
-    match turn(p, q, x) {
-        Ordering::Equal if x[0] >= p[0].min(q[0]) => Relation::OnSide,
+    // at the height of the side or of its upper end, there may be no crossing and the point on it all the same
+    let turn = turn(p, q, x);
+    if turn == Ordering::Equal && !is_beyond(0) {
+        return Relation::OnSide;
+    }
+    // exercise ends: Of a side, let the lower end count and the upper one not: which heights x_v does it reach?
+    let goes_up: bool = p[1] <= x[1] && x[1] < q[1];
+    let goes_down: bool = q[1] <= x[1] && x[1] < p[1];
+    // end ends
+    // exercise ahead: Seen along the side, on which hand is a point whose s(t) crosses it for t > 0?
+    match turn {
         Ordering::Greater if goes_up => Relation::Crosses(Way::Up),
         Ordering::Less if goes_down => Relation::Crosses(Way::Down),
         _ => Relation::Apart,
     }
+    // end ahead
 }
 
 /// Whether x is to the left of the line from p to q (greater), on it, or to the right, exactly.
