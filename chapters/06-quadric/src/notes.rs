@@ -11,13 +11,13 @@ pub struct Notes<R: Real> {
     pub ray: Ray3<R>,
     /// The solid.
     pub shape: Shape,
-    /// A = d_x² + d_y², for the cone − ¼ d_z²
+    /// A, of λ²
     pub a: R,
-    /// B = a_x d_x + a_y d_y, for the cone + ¼(1 − a_z) d_z
+    /// B, of 2 λ
     pub b: R,
-    /// C = f(a): a_x² + a_y² − 1, for the cone a_x² + a_y² − ¼(1 − a_z)²
+    /// C = f(a)
     pub c: R,
-    /// D = B² − A C
+    /// D, below zero where the line misses the wall
     pub d: R,
     all: [Candidate<R>; 4],
     count: usize,
@@ -84,7 +84,9 @@ impl Fate {
 pub fn notes<R: Real>(ray: &Ray3<R>, shape: Shape) -> Notes<R> {
     // The quadratic wall: f(a + λ d) = A λ² + 2 B λ + C = 0
     let (a, b, c) = wall(ray, shape);
+    // exercise discriminant: Which number tells, before any root is taken, whether A λ² + 2 B λ + C = 0 has a solution?
     let d = b * b - a * c;
+    // end discriminant
     let lambdas = wall_roots(a, b, c, d);
 
     // Then test the z component of p(λ*) against the constraint on z.
@@ -105,16 +107,32 @@ pub fn notes<R: Real>(ray: &Ray3<R>, shape: Shape) -> Notes<R> {
 /// A, B and C of the wall.
 #[inline]
 fn wall<R: Real>(ray: &Ray3<R>, shape: Shape) -> (R, R, R) {
-    let ([a_x, a_y, a_z], [d_x, d_y, d_z]) = (R::xyz(ray.origin), R::xyz(ray.direction));
-    let (one, quarter) = (R::from(1.0), R::from(0.25));
-    let (a, b, c) = (d_x * d_x + d_y * d_y, a_x * d_x + a_y * d_y, a_x * a_x + a_y * a_y);
     match shape {
-        Shape::Cylinder => (a, b, c - one),
-        Shape::Cone => {
-            let below_apex = one - a_z;
-            (a - quarter * d_z * d_z, b + quarter * below_apex * d_z, c - quarter * below_apex * below_apex)
-        }
+        Shape::Cylinder => cylinder(ray),
+        Shape::Cone => cone(ray),
     }
+}
+
+/// A, B and C of x² + y² − 1 = 0.
+#[inline]
+fn cylinder<R: Real>(ray: &Ray3<R>) -> (R, R, R) {
+    let ([a_x, a_y, _], [d_x, d_y, _], one) = (R::xyz(ray.origin), R::xyz(ray.direction), R::from(1.0));
+    // exercise cylinder: Put a + λ d into x² + y² − 1 = 0: what are A, B and C of A λ² + 2 B λ + C = 0?
+    (d_x * d_x + d_y * d_y, a_x * d_x + a_y * d_y, a_x * a_x + a_y * a_y - one)
+    // end cylinder
+}
+
+/// A, B and C of x² + y² − ¼(1 − z)² = 0.
+#[inline]
+fn cone<R: Real>(ray: &Ray3<R>) -> (R, R, R) {
+    let ([a_x, a_y, a_z], [d_x, d_y, d_z]) = (R::xyz(ray.origin), R::xyz(ray.direction));
+    // exercise cone: Put a + λ d into x² + y² − ¼(1 − z)² = 0: what are A, B and C of A λ² + 2 B λ + C = 0?
+    let (below_apex, quarter) = (R::from(1.0) - a_z, R::from(0.25));
+    let a = d_x * d_x + d_y * d_y - quarter * d_z * d_z;
+    let b = a_x * d_x + a_y * d_y + quarter * below_apex * d_z;
+    let c = a_x * a_x + a_y * a_y - quarter * below_apex * below_apex;
+    (a, b, c)
+    // end cone
 }
 
 /// λ1 and λ2 of A λ² + 2 B λ + C = 0, as in 11.3.3.
@@ -131,12 +149,13 @@ fn wall_roots<R: Real>(a: R, b: R, c: R, d: R) -> [Option<R>; 2] {
     if d < zero {
         return [None, None];
     }
+    // exercise roots: What are the two solutions of A λ² + 2 B λ + C = 0?
     let root = d.sqrt();
     [Some(-b / a + root / a), Some(-b / a - root / a)]
+    // end roots
 }
 
-/// A point of the wall, kept where 0 ≤ z ≤ 1, or |z| ≤ 1 for the cylinder. (The page's "z ≤ 1 or z < 1" lacks the
-/// lower bound, and with < for wall and cap alike a ray slips through the rim.)
+/// A point of the wall, kept where it is one of the solid. (The page's "z ≤ 1 or z < 1" lacks something.)
 #[inline]
 fn on_wall<R: Real>(ray: &Ray3<R>, shape: Shape, lambda: Option<R>) -> Candidate<R> {
     let Some(at) = lambda else {
@@ -145,23 +164,31 @@ fn on_wall<R: Real>(ray: &Ray3<R>, shape: Shape, lambda: Option<R>) -> Candidate
     let point = ray.at(at);
     let (lowest, highest) = shape.heights::<R>();
     let z = R::xyz(point)[2];
+    // exercise between: Which points of the endless wall belong to the solid, its rims included?
+    // The page lacks the lower bound, and with < for wall and cap alike a ray slips through the rim.
+    let is_between: bool = lowest <= z && z <= highest;
+    // end between
     // A root that overflowed has no point to show.
-    let is_between = lowest <= z && z <= highest && point.is_finite();
-    let test = if is_between { Test::OnSurface } else { Test::ZOutside };
+    let test = if is_between && point.is_finite() { Test::OnSurface } else { Test::ZOutside };
     Candidate { part: Part::Wall, lambda, point, test }
 }
 
-/// A point of a cap's plane, kept where x² + y² ≤ 1, or ≤ ¼ for the base of the cone.
+/// A point of a cap's plane, kept where it is one of the cap.
 #[inline]
 fn on_plane<R: Real>(ray: &Ray3<R>, shape: Shape, part: Part) -> Candidate<R> {
     let (height, d_z) = (R::from(part.height().unwrap_or(0.0)), R::xyz(ray.direction)[2]);
     if d_z == R::from(0.0) {
         return Candidate { part, lambda: None, point: ray.origin, test: Test::NoPoint };
     }
+    // exercise plane: At which λ is z of a + λ d the height of the plane?
     let lambda = (height - R::xyz(ray.origin)[2]) / d_z;
+    // end plane
     let [x, y, _] = R::xyz(ray.at(lambda));
     let point = R::vec3(x, y, height);
-    let is_within = shape.wall::<R>(point) <= R::from(0.0);
+    // exercise rim: Which points of the plane belong to the cap, the rim included?
+    // x² + y² ≤ 1, or ≤ ¼ for the base of the cone
+    let is_within: bool = shape.wall::<R>(point) <= R::from(0.0);
+    // end rim
     let test = if is_within { Test::OnSurface } else { Test::BeyondRim };
     Candidate { part, lambda: Some(lambda), point, test }
 }
@@ -175,6 +202,7 @@ impl<R: Real> Notes<R> {
     /// The place among the candidates of the one with the smallest λ in `span`; on a tie the first.
     #[inline]
     pub fn nearest(&self, span: Span<R>) -> Option<usize> {
+        // exercise nearest: Which candidates count, and which of them does the ray meet first?
         let mut nearest = None;
         let mut smallest = R::INFINITY;
         for (place, candidate) in self.all.iter().enumerate() {
@@ -186,6 +214,7 @@ impl<R: Real> Notes<R> {
             }
         }
         nearest
+        // end nearest
     }
 
     /// What becomes of a candidate, by its place.
