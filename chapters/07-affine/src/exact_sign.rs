@@ -6,7 +6,7 @@
 
 use std::cmp::Ordering;
 
-use math::{Bounded, Exact, Parallel, Ray3, Real, Sure, TwoPart, Vector};
+use math::{Bounded, Degenerate, Exact, Parallel, Ray3, Real, Sure, TwoPart, Vector};
 
 use crate::{Affine, Matrix3};
 
@@ -28,6 +28,20 @@ pub fn of_determinant<R: Real>(a: &Matrix3<R>) -> Ordering {
         &|| adjugate_and_determinant::<Bounded<TwoPart>>(columns).1.sign(),
         &|| adjugate_and_determinant::<Exact>(columns).1.sign(),
     ])
+}
+
+impl<R: Real> Affine<R> {
+    /// Refuses a deformation without an inverse: [`Degenerate::NotFinite`], [`Degenerate::Singular`], whichever
+    /// comes first. Singular is det A = 0, exactly.
+    pub fn check(&self) -> Result<(), Degenerate> {
+        if !self.a.is_finite() || !self.t.is_finite() {
+            return Err(Degenerate::NotFinite);
+        }
+        match of_determinant(&self.a) {
+            Ordering::Equal => Err(Degenerate::Singular),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// How the ray runs along the deformed plane z = 0; `None` where it meets it at one λ. The numbers must be finite.

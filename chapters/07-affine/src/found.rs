@@ -47,7 +47,9 @@ impl<R: Real> Found<R> {
     /// det A. (A step v leaves the object where n · v > 0; deformed it is A v, and A⁻ᵀ n · A v = n · v.)
     #[inline]
     pub fn normal(&self) -> R::Vec3 {
+        // exercise unit: A⁻ᵀ n has any length. Which one has a normal to be shaded with?
         self.a_inverse_transposed_n.normalized()
+        // end unit
     }
 
     /// A n / ‖A n‖: n deformed as if it were a step from point to point. It is at right angles to the surface
@@ -60,7 +62,9 @@ impl<R: Real> Found<R> {
     ///
     /// (Not for `self.point`: a method may have found that by the right-hand side.)
     pub fn verify(&self, ray: &Ray3<R>, deformed: &Deformed<R>) -> BothWays<R> {
+        // exercise verify: Which point of the world is λ* along the ray, and where does the deformation send p?
         let (along_the_ray, through_the_object) = (ray.at(self.lambda), deformed.affine.apply(self.p));
+        // end verify
         BothWays { along_the_ray, through_the_object, difference: through_the_object - along_the_ray }
     }
 

@@ -1,6 +1,6 @@
 //! A, its inverse, and ȳ = A x̄ + t.
 
-use math::{Degenerate, Real, Vector};
+use math::{Real, Vector};
 
 /// A 3×3 matrix by its columns: where the matrix sends the three axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,19 +46,26 @@ impl<R: Real> Matrix3<R> {
     #[inline]
     pub fn determinant(&self) -> R {
         let [a, b, c] = self.columns;
+        // exercise determinant: What is the volume of the box that the columns a, b, c span, with its sign?
         a.dot(R::cross(b, c))
+        // end determinant
     }
 
-    /// adj A, the matrix with A adj A = det A · 1: its rows are b × c, c × a, a × b of the columns a, b, c.
+    /// adj A, the matrix with A adj A = det A · 1.
     pub fn adjugate(&self) -> Matrix3<R> {
         let [a, b, c] = self.columns;
+        // exercise adjugate: What is at right angles to two columns at a time: a row or a column of adj A?
+        // its rows are b × c, c × a, a × b of the columns a, b, c
         Matrix3::from_rows([R::cross(b, c), R::cross(c, a), R::cross(a, b)].map(R::xyz))
+        // end adjugate
     }
 
-    /// A⁻¹ = adj A / det A. Infinite or NaN where det A is zero, or vanishes when it is rounded.
+    /// A⁻¹. Infinite or NaN where det A is zero, or vanishes when it is rounded.
     pub fn inverse(&self) -> Matrix3<R> {
+        // exercise inverse: A adj A = det A · 1: what is A⁻¹ then?
         let det = self.determinant();
         Matrix3 { columns: self.adjugate().columns.map(|column| column / det) }
+        // end inverse
     }
 
     /// No number is infinite or NaN.
@@ -82,24 +89,13 @@ impl<R: Real> Affine<R> {
     pub fn apply(&self, x: R::Vec3) -> R::Vec3 {
         self.a.times(x) + self.t
     }
-
-    /// Refuses a deformation without an inverse: [`Degenerate::NotFinite`], [`Degenerate::Singular`], whichever
-    /// comes first. Singular is det A = 0, exactly; see [`crate::exact_sign`].
-    pub fn check(&self) -> Result<(), Degenerate> {
-        if !self.a.is_finite() || !self.t.is_finite() {
-            return Err(Degenerate::NotFinite);
-        }
-        match crate::exact_sign::of_determinant(&self.a) {
-            std::cmp::Ordering::Equal => Err(Degenerate::Singular),
-            _ => Ok(()),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use glam::DVec3;
+    use math::Degenerate;
 
     /// By hand: det = 2 (1·1 − 0·4) − 1 (0·1 − 0·3) + 0 = 2, the adjugate from the nine minors.
     #[test]

@@ -13,7 +13,7 @@ pub struct Notes<'a, R: Real> {
     pub deformed: &'a Deformed<R>,
     /// a − t
     pub a_minus_t: R::Vec3,
-    /// The ray r′(λ) = a′ + λ d′ in the object's own space: a′ = A⁻¹(a − t), d′ = A⁻¹ d.
+    /// The ray r′(λ) = a′ + λ d′ in the object's own space.
     pub ray_prime: Ray3<R>,
     /// The object's own method for that ray.
     pub undeformed: Undeformed<R>,
@@ -27,9 +27,13 @@ pub fn notes<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Notes<'a,
     let (a_inverse, t) = (&deformed.inverse, deformed.affine.t);
 
     // F(r(λ)) = f(A⁻¹(a + λ d − t)) = f(a′ + λ d′)
-    let a_minus_t = ray.origin - t;
-    let a_prime = a_inverse.times(a_minus_t);
-    let d_prime = a_inverse.times(ray.direction);
+    // exercise a_prime: Where does the ray start in the object's own space: what is undone first, A or t?
+    let a_minus_t: R::Vec3 = ray.origin - t;
+    let a_prime: R::Vec3 = a_inverse.times(a_minus_t);
+    // end a_prime
+    // exercise d_prime: Which direction has the ray in that space, if λ is to be the same in both?
+    let d_prime: R::Vec3 = a_inverse.times(ray.direction);
+    // end d_prime
     let ray_prime = Ray3::new(a_prime, d_prime);
 
     let undeformed = undeformed(deformed.object, &ray_prime);
@@ -45,8 +49,10 @@ impl<R: Real> Notes<'_, R> {
             return Ok(None);
         }
         let Some(hit) = self.undeformed.hit(span) else { return Ok(None) };
+        // exercise normal: What is at right angles to the deformed surface, if n is to the undeformed one?
         // the normal by A⁻ᵀ, Eq. (2)
         let a_inverse_transposed_n = self.deformed.inverse.transposed_times(hit.normal);
+        // end normal
         Ok(Found::brought_back(&self.ray, hit, a_inverse_transposed_n))
     }
 
