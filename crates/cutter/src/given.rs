@@ -94,6 +94,7 @@ impl Given {
     }
 }
 
-/// Parts of a chapter may be without use where the rest stayed behind.
+/// Parts of a chapter may be without use where the rest stayed behind, or where a question is in the way.
 pub(crate) const QUIET: &str = "dead_code = \"allow\"\nunexpected_cfgs = \"allow\"\nunreachable_code = \"allow\"\n\
-                                unused_imports = \"allow\"\nunused_variables = \"allow\"\n";
+                                unused_assignments = \"allow\"\nunused_imports = \"allow\"\nunused_mut = \"allow\"\n\
+                                unused_variables = \"allow\"\n";

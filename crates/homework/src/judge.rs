@@ -31,18 +31,20 @@ pub fn judge<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> V
 }
 
 /// The known mistake that explains the answers: what is right is right with the mistake too, and in every case that is
-/// wrong the first wrong value is the one that the mistake leads to.
+/// wrong the first wrong value is the one that the mistake leads to, in the same place.
 fn recognize<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> Option<&'a Known> {
     exercise.mistakes.iter().find(|known| {
         let mistaken = mistaken(exercise, known);
         (0..sheet.rows.len()).all(|row| {
-            let Some(wrong) = wrong_step(sheet, answers, row) else {
-                let steps = Answer { steps: mistaken.rows[row].steps.clone(), broken: None };
-                return first_wrong_step(&sheet.rows[row].steps, &steps).is_none();
+            let steps = Answer { steps: mistaken.rows[row].steps.clone(), broken: None };
+            let made = first_wrong_step(&sheet.rows[row].steps, &steps);
+            let (wrong, made) = match (wrong_step(sheet, answers, row), made) {
+                (None, None) => return true,
+                (Some(wrong), Some(made)) if wrong.step == made.step => (wrong, made),
+                _ => return false,
             };
-            let (made, got) = (mistaken.rows[row].steps.0.get(wrong.step), wrong.got);
             let symbol = answers[row].steps.0.get(wrong.step).map(|step| &step.symbol);
-            match (made, got) {
+            match (mistaken.rows[row].steps.0.get(made.step), wrong.got) {
                 (Some(made), Some(got)) => {
                     Some(&made.symbol) == symbol && made.value.is_met_by(&got, &made.tolerance)
                 }

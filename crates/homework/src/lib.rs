@@ -17,7 +17,9 @@ mod start;
     missing_docs,
     unexpected_cfgs,
     unreachable_pub,
+    unused_assignments,
     unused_imports,
+    unused_mut,
     unused_variables,
     clippy::all
 )]
