@@ -66,7 +66,8 @@ impl Value {
 
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = |x: &f64| format!("{x}").replace('-', "−");
+        // −0 is 0
+        let number = |x: &f64| format!("{}", x + 0.0).replace('-', "−");
         match self {
             Value::Number(x) => f.write_str(&number(x)),
             Value::Vector(v) => write!(f, "({})", v.iter().map(number).collect::<Vec<_>>().join(", ")),
