@@ -3,10 +3,9 @@
 use math::{Ray3, Real, Span};
 use stage::{Error, Section, Transcript, Value};
 
-use crate::first_hit::First;
 use crate::picture::Seen;
 use crate::stage::fault;
-use crate::{Method, Object, Scene, first_hit, from_file};
+use crate::{First, Method, Object, Scene, first_hit, from_file};
 
 /// How many objects a table shows at the most.
 const ROWS: usize = 40;

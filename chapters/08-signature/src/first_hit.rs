@@ -2,16 +2,7 @@
 
 use math::{Ray3, Real, Span};
 
-use crate::{Method, Object, Scene};
-
-/// The object that a ray hits first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct First<R> {
-    /// Its place among the scene's objects, from 0.
-    pub object: usize,
-    /// λ_ij, in lengths of the ray's direction.
-    pub lambda: R,
-}
+use crate::{First, Method, Object, Scene};
 
 /// The page's loop over all objects: the one with the smallest λ* in `span`, and of several with the same λ* the
 /// earliest, by the page's strict λ* < λ_ij.
@@ -29,10 +20,12 @@ pub fn first_hit<R: Real>(
         // find λ* for the closest intersection of the ray and the object
         let Some(hit) = it.shape.hit(method, ray, span) else { continue };
         let lambda = hit.t;
+        // exercise nearer: When does this object take the place of the one before, and what is kept of it?
         // if λ* < λ_ij then λ_ij ← λ*, sig[i, j] ← objID_k
         if first.is_none_or(|first| lambda < first.lambda) {
             first = Some(First { object, lambda });
         }
+        // end nearer
     }
     first
 }
@@ -42,7 +35,9 @@ impl<R: Real> Scene<R> {
     ///
     /// Hits count from the eye on, λ ≥ 0.
     pub fn seen(&self, method: Method, pixel: (u32, u32)) -> Option<usize> {
+        // exercise seen: Which ray belongs to the pixel, and which of its hits can the eye see?
         Some(first_hit(method, &self.ray(pixel), &self.objects, Span::ahead())?.object)
+        // end seen
     }
 }
 

@@ -33,7 +33,7 @@ pub mod trace_ray;
 use math::{Camera, Grid, Hit, Ray3, Real};
 
 pub use deform::Transform;
-pub use first_hit::{First, first_hit};
+pub use first_hit::first_hit;
 pub use shape::Shape;
 pub use trace_ray::trace_ray;
 
@@ -60,6 +60,15 @@ pub struct Object<R: Real> {
     pub id: Option<u16>,
     /// The page's obj and (A, t) in one: see [`mod@deform`].
     pub shape: Shape<R>,
+}
+
+/// The object that a ray hits first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct First<R> {
+    /// Its place among the scene's objects, from 0.
+    pub object: usize,
+    /// λ_ij, in lengths of the ray's direction.
+    pub lambda: R,
 }
 
 impl<R: Real> Scene<R> {

@@ -2,7 +2,7 @@
 
 use math::{Ray3, Real, Span};
 
-use crate::{First, Method, Object};
+use crate::{First, Hit3, Method, Object};
 
 /// `TraceRay(O, D, t_min, t_max)`: the object with the smallest t in [t_min, t_max], by the listing's
 /// `t in [t_min, t_max] and t < closest_t`.
@@ -19,12 +19,17 @@ pub fn trace_ray<R: Real>(
     let mut closest_t = R::INFINITY;
     let mut closest_object = None;
     for (object, it) in objects.iter().enumerate() {
-        let Some(hit) = it.shape.hit(method, ray, Span::new(t_min, t_max)) else { continue };
+        // exercise in_range: Which hit of this object counts, if any?
+        let hit: Option<Hit3<R>> = it.shape.hit(method, ray, Span::new(t_min, t_max));
+        // end in_range
+        let Some(hit) = hit else { continue };
+        // exercise closest: When is this hit the closest so far, and what has to be remembered then?
         // a t beyond the largest number is a hit too, and there is none before it
         if hit.t < closest_t || closest_object.is_none() {
             closest_t = hit.t;
             closest_object = Some(object);
         }
+        // end closest
     }
     closest_object.map(|object| First { object, lambda: closest_t })
 }
