@@ -13,12 +13,18 @@ use crate::Box3;
 /// last digit of `f64`, and then it is rounded up to R.
 pub fn sphere_around<R: Real>(bounds: &Box3) -> Option<Sphere<R>> {
     let [low, high] = [bounds.low, bounds.high].map(|corner| corner.map(f64::from));
+    // exercise middle: From which point is the farthest corner of the box as near as can be?
     let middle: [R; 3] = std::array::from_fn(|axis| R::round_from((low[axis] + high[axis]) / 2.0));
+    // end middle
     let center = R::vec3(middle[0], middle[1], middle[2]);
     let c: [f64; 3] = center.in_f64();
+    // exercise farthest: How far from the center is the farther face, on each axis?
     let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| (c[axis] - low[axis]).max(high[axis] - c[axis]));
+    // end farthest
     // the faces are f32, so that their squares are f64 that neither overflow nor vanish
-    let radius = (x * x + y * y + z * z).sqrt() * (1.0 + 4.0 * f64::EPSILON);
+    // exercise radius: How far is it to a corner?
+    let radius: f64 = (x * x + y * y + z * z).sqrt() * (1.0 + 4.0 * f64::EPSILON);
+    // end radius
     let nearest = R::round_from(radius);
     let radius = if Into::<f64>::into(nearest) < radius { next_up(nearest) } else { nearest };
     let is_ball = center.is_finite() && radius.is_finite() && radius > R::from(0.0);

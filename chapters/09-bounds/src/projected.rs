@@ -68,7 +68,9 @@ pub fn rectangle<R: Real>(scene: &Scene<R>, bounds: &Box3) -> Option<Rectangle> 
     let view = View::of(scene);
     let corners = (0..8).map(|corner| {
         std::array::from_fn(|axis| {
+            // exercise corners: Of the corner with this number (0 to 7): on which of the two faces is it on this axis?
             f64::from(if corner >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] })
+            // end corners
         })
     });
     if !view.has_depth {
@@ -85,14 +87,18 @@ pub fn rectangle<R: Real>(scene: &Scene<R>, bounds: &Box3) -> Option<Rectangle> 
                 before += 1;
                 (farthest, nearest) = (farthest.max(size), nearest.min(z));
                 for axis in 0..2 {
+                    // exercise grow: One more corner has its place: how far does the rectangle reach now?
                     least[axis] = least[axis].min(place[axis]);
                     most[axis] = most[axis].max(place[axis]);
+                    // end grow
                 }
             }
         }
     }
     if behind > 0 {
+        // exercise behind: Some corners are behind the eye: in which pixels may the box be seen, if in any?
         return if before > 0 { Some(all) } else { None };
+        // end behind
     }
     let off = view.off(farthest / nearest);
     let cols = pixels([least[0], most[0]], off[0], width)?;
@@ -189,8 +195,12 @@ impl View {
             _ if !size.is_finite() || z.abs() <= size * f64::from(f32::EPSILON) => Place::Level,
             ..0.0 => Place::Behind,
             _ => {
-                let plane = [x * self.f / z, y * self.f / z];
-                let place = [0, 1].map(|axis| (plane[axis] - self.first[axis]) / self.step[axis]);
+                // exercise plane: Where does the way from the eye to the point go through the view plane?
+                let plane: [f64; 2] = [x * self.f / z, y * self.f / z];
+                // end plane
+                // exercise place: Which column and which row is that, with fractions?
+                let place: [f64; 2] = [0, 1].map(|axis| (plane[axis] - self.first[axis]) / self.step[axis]);
+                // end place
                 Place::At { place, size, z }
             }
         }

@@ -89,14 +89,22 @@ impl Slabs {
     /// the box, or is in it outside `reach` only.
     #[inline(always)]
     pub fn enter(&self, bounds: &Box3, reach: Reach) -> Option<f32> {
-        let (mut near, mut far) = (reach.min, reach.max);
+        // exercise begin: Before any slab is looked at: from which t to which is the box of interest?
+        let (mut near, mut far): (f32, f32) = (reach.min, reach.max);
+        // end begin
         for axis in 0..3 {
             let faces = [bounds.low[axis], bounds.high[axis]];
-            let (first, last) = (faces[self.first[axis] & 1], faces[1 - (self.first[axis] & 1)]);
+            // exercise faces: Which of the two faces does the ray meet first, and which last?
+            let (first, last): (f32, f32) = (faces[self.first[axis] & 1], faces[1 - (self.first[axis] & 1)]);
+            // end faces
+            // exercise stretch: The ray has to be in this slab and in those before: where does that begin and end?
             near = larger(self.enter[axis].t(first), near);
             far = smaller(self.leave[axis].t(last), far);
+            // end stretch
         }
+        // exercise verdict: When is there no stretch left, and where does the ray enter if there is one?
         (near <= far).then_some(near)
+        // end verdict
     }
 }
 
