@@ -46,12 +46,16 @@ pub struct ByTangents<R: Real> {
 /// The first way, at a point of the shape.
 pub fn by_gradient<R: Real>(shape: Smooth, p: R::Vec3) -> ByGradient<R> {
     let ([x, y, z], two) = (R::xyz(p), R::from(2.0));
-    let gradient = match shape {
+    // exercise gradient: How does each f change along x, along y and along z?
+    let gradient: R::Vec3 = match shape {
         Smooth::Sphere => R::vec3(two * x, two * y, two * z),
         Smooth::Cylinder => R::vec3(two * x, two * y, R::from(0.0)),
         Smooth::Cone => R::vec3(two * x, two * y, R::from(0.5) * (R::from(1.0) - z)),
     };
+    // end gradient
+    // exercise unit: What has to be done to the gradient before it is the unit normal?
     ByGradient { gradient, n: gradient.normalized() }
+    // end unit
 }
 
 /// The second way, with α around the z axis and β along it: s = (ρ cos α, ρ sin α, z), where ρ is the
@@ -68,7 +72,8 @@ pub fn by_tangents<R: Real>(shape: Smooth, p: R::Vec3) -> ByTangents<R> {
     // ∂s/∂α = (−ρ sin α, ρ cos α, 0)
     let along_alpha = R::vec3(-y, x, zero);
     // ∂s/∂β = (ρ′ cos α, ρ′ sin α, z′)
-    let along_beta = match shape {
+    // exercise along_beta: Where does the point of each surface go as β grows a little?
+    let along_beta: R::Vec3 = match shape {
         Smooth::Sphere => R::vec3(-(z * cos_alpha), -(z * sin_alpha), rho),
         Smooth::Cylinder => R::vec3(zero, zero, one),
         Smooth::Cone => {
@@ -76,9 +81,12 @@ pub fn by_tangents<R: Real>(shape: Smooth, p: R::Vec3) -> ByTangents<R> {
             R::vec3(-(half * cos_alpha), -(half * sin_alpha), one)
         }
     };
-    let cross = R::cross(along_alpha, along_beta);
+    // end along_beta
+    // exercise outward: Which vector is at right angles to both tangents, and does it point inward?
+    let cross: R::Vec3 = R::cross(along_alpha, along_beta);
     // outward is away from the axis; at the poles of the sphere too, in the limit
-    let was_turned = cross.dot(R::vec3(x, y, zero)) < zero;
+    let was_turned: bool = cross.dot(R::vec3(x, y, zero)) < zero;
+    // end outward
     let n = cross.normalized();
     ByTangents { along_alpha, along_beta, cross, n: if was_turned { -n } else { n }, was_turned }
 }

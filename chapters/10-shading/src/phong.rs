@@ -32,15 +32,25 @@ pub fn phong<R: Real>(
     to_light: R::Vec3,
     c: R::Vec3,
 ) -> Phong<R> {
-    let s = to_light.unit();
-    let n_dot_s = n.dot(s);
-    let m = n * (n_dot_s + n_dot_s) - s;
-    let c_dot_m = c.dot(m);
-    let diffuse = i * color * (material.diffuse * from_zero_to_one(n_dot_s));
-    let specular = match material.specular > 0.0 {
+    // exercise s: The way to the light has some length. What should s⃗ be, if n⃗·s⃗ is to be a cosine?
+    let s: R::Vec3 = to_light.unit();
+    // end s
+    // exercise m: How directly does the light fall on the surface, and where would a mirror send it?
+    let n_dot_s: R = n.dot(s);
+    let m: R::Vec3 = n * (n_dot_s + n_dot_s) - s;
+    // end m
+    // exercise c_dot_m: How near is the viewer to the mirror direction?
+    let c_dot_m: R = c.dot(m);
+    // end c_dot_m
+    // exercise diffuse: How much does a matte surface of this color send on, whoever looks?
+    let diffuse: Rgb = i * color * (material.diffuse * from_zero_to_one(n_dot_s));
+    // end diffuse
+    // exercise specular: And how bright is the highlight, and what color has it?
+    let specular: Rgb = match material.specular > 0.0 {
         true => i * (material.specular * power(from_zero_to_one(c_dot_m), material.shininess)),
         false => Rgb::BLACK,
     };
+    // end specular
     Phong { s, n_dot_s, m, c_dot_m, diffuse, specular }
 }
 
@@ -49,7 +59,9 @@ pub fn phong<R: Real>(
 #[inline(always)]
 fn from_zero_to_one<R: Real>(x: R) -> f64 {
     let x: f64 = x.into();
+    // exercise clamp: What does a cosine below zero say about the light, and how much comes from there?
     if x > 0.0 { x.min(1.0) } else { 0.0 }
+    // end clamp
 }
 
 /// x^α for 0 ≤ x and 0 ≤ α, with 0⁰ = 1. A whole α is a product of squares, which is faster; the others take a

@@ -127,10 +127,16 @@ impl<R: Real> Starts<R> {
     #[inline(always)]
     pub fn to(&self, light: R::Vec3, to_light: R::Vec3) -> Query<R> {
         let digit = 1.0 / (1u64 << R::DIGITS) as f64;
-        let before_the_light = R::round_from(1.0 - bounds::Reach::ULPS * digit);
+        // exercise light: Up to which λ can something stand before the light?
+        let before_the_light: R = R::round_from(1.0 - bounds::Reach::ULPS * digit);
+        // end light
         self.leaving(to_light, |origin| {
-            let direction = light - origin;
-            let span = Span::new(self.first_t(direction), before_the_light);
+            // exercise direction: Which direction has the light at λ = 1?
+            let direction: R::Vec3 = light - origin;
+            // end direction
+            // exercise span: Which λ count: from where to where, and do the ends?
+            let span: Span<R> = Span::new(self.first_t(direction), before_the_light);
+            // end span
             Query::new(Ray3::new(origin, direction), span)
         })
     }

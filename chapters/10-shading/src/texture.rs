@@ -86,7 +86,9 @@ impl Mapping {
             Mapping::Plane { back, point, u, v } => {
                 let x = own(back);
                 let from_point = [x[0] - point[0], x[1] - point[1], x[2] - point[2]];
+                // exercise uv: How far along each axis of the plane is the point, from the plane's own point?
                 (dot(from_point, *u), dot(from_point, *v))
+                // end uv
             }
             Mapping::Sphere { back, center, radius } => {
                 let x = own(back);
@@ -132,9 +134,13 @@ impl Textured {
         match &self.texture {
             Texture::Checker { colors, scale } => {
                 let around = if matches!(self.mapping, Mapping::Sphere { .. }) { 2.0 } else { 1.0 };
-                let squares = (around * u / scale).floor() + (v / scale).floor();
+                // exercise squares: How many squares is it from the one at (0, 0), along u and along v together?
+                let squares: f64 = (around * u / scale).floor() + (v / scale).floor();
+                // end squares
+                // exercise turns: When is it the turn of the other color?
                 // a sum without a number (a plane's horizon) is even, too
                 colors[usize::from(squares.rem_euclid(2.0) == 1.0)]
+                // end turns
             }
             Texture::Image { size, pixels, scale } => {
                 let place = |x: f64, count: u32| {
