@@ -34,7 +34,9 @@ impl Media {
     /// The solid whose medium it is; `None` for the air outside.
     #[inline(always)]
     pub fn top(&self) -> Option<usize> {
+        // exercise top: Of all the solids that the ray is in, which one's medium is it in?
         self.solids.last().copied()
+        // end top
     }
 
     /// The solids, the outermost first.
@@ -49,6 +51,7 @@ impl Media {
             self.solids.push(solid);
             return Undo::Entered;
         }
+        // exercise leaves: The ray leaves this solid: what becomes of the stack, and what has to be known to undo it?
         match self.solids.iter().rposition(|&it| it == solid) {
             Some(place) => {
                 self.solids.remove(place);
@@ -56,11 +59,13 @@ impl Media {
             }
             None => Undo::Nothing,
         }
+        // end leaves
     }
 
     /// Takes the latest [`Media::pass`] back.
     #[inline(always)]
     pub fn undo(&mut self, undo: Undo) {
+        // exercise undo: How does the stack become what it was before that surface?
         match undo {
             Undo::Entered => {
                 self.solids.pop();
@@ -68,6 +73,7 @@ impl Media {
             Undo::Left(place, solid) => self.solids.insert(place, solid),
             Undo::Nothing => {}
         }
+        // end undo
     }
 }
 

@@ -14,8 +14,12 @@ pub struct Mirror<R: Real> {
 /// The mirror direction of `d`, at a surface with the unit normal `n`, which may point to either side.
 #[inline(always)]
 pub fn mirror<R: Real>(d: R::Vec3, n: R::Vec3) -> Mirror<R> {
-    let d_dot_n = d.dot(n);
+    // exercise d_dot_n: How much of d⃗ goes along the normal?
+    let d_dot_n: R = d.dot(n);
+    // end d_dot_n
+    // exercise m_s: Which part of d⃗ does a mirror turn over, and which does it leave as it is?
     Mirror { d_dot_n, m_s: d - n * (d_dot_n + d_dot_n) }
+    // end m_s
 }
 
 #[cfg(test)]

@@ -32,13 +32,20 @@ pub struct Refraction<R: Real> {
 /// Where the indices are the same nothing is bent, to the last bit.
 #[inline(always)]
 pub fn refract<R: Real>(d: R::Vec3, n: R::Vec3, n1: f64, n2: f64) -> Refraction<R> {
-    let cos_theta1 = -d.dot(n);
-    let tangent = d + n * cos_theta1;
-    let eta = R::round_from(n1 / n2);
-    let sin2_theta2 = eta * eta * tangent.dot(tangent);
+    // exercise theta1: d⃗ comes down on the surface and n⃗ points up: what is the cosine of the angle between them?
+    let cos_theta1: R = -d.dot(n);
+    // end theta1
+    // exercise tangent: What is left of d⃗ without its part along n⃗?
+    let tangent: R::Vec3 = d + n * cos_theta1;
+    // end tangent
+    // exercise snell: By what factor does a sine change from one side to the other, and what is sin² θ2 then?
+    let eta: R = R::round_from(n1 / n2);
+    let sin2_theta2: R = eta * eta * tangent.dot(tangent);
+    // end snell
     let one = R::from(1.0);
+    // exercise t: Which unit vector is t⃗ made of, along the surface and along n⃗, and when is there none?
     // straight on, or with nothing to bend it
-    let t = if n1 == n2 || tangent.is_zero() {
+    let t: Option<R::Vec3> = if n1 == n2 || tangent.is_zero() {
         Some(d)
     } else if sin2_theta2 <= one {
         let cos_theta2 = (one - sin2_theta2).sqrt();
@@ -46,6 +53,7 @@ pub fn refract<R: Real>(d: R::Vec3, n: R::Vec3, n1: f64, n2: f64) -> Refraction<
     } else {
         None
     };
+    // end t
     Refraction { n1, n2, cos_theta1, tangent, sin2_theta2, t }
 }
 
