@@ -33,6 +33,9 @@ pub struct Manifest {
     pub file: String,
     /// The names of the regions that become holes.
     pub holes: Vec<String>,
+    /// The name of the chapter's method that this is, as `--method` has it, where it is one:
+    /// `closest-approach`.
+    pub method: Option<String>,
     /// The names of regions that are another exercise's: a hand-out has neither their lines nor their question.
     pub hides: Vec<String>,
     /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`]. All of `file` comes, but for
@@ -231,6 +234,7 @@ fn manifest(table: &Table, folder: &str, name: &str) -> Result<Manifest, String>
         predict: (string(predict, "question")?, string(predict, "answer")?),
         task: string(table, "task")?,
         file: string(table, "file")? + ".rs",
+        method: table.contains_key("method").then(|| string(table, "method")).transpose()?,
         brings: brings.iter().map(part).collect::<Result<_, _>>()?,
         without: if table.contains_key("without") { strings(table, "without")? } else { Vec::new() },
         docs: match table.get("docs").map(Value::as_table) {
@@ -274,7 +278,8 @@ fn mistake(table: &Table, holes: &[String]) -> Result<Mistake, String> {
     })
 }
 
-/// The lines for the only hole, or a table of lines for some of the holes; the others stay as the chapter has them.
+/// The lines for the only hole, or a table of lines for some of the holes; the others stay as the chapter has
+/// them.
 fn fillings(value: &Value, holes: &[String]) -> Result<Fillings, String> {
     match value {
         Value::String(lines) if holes.len() == 1 => {

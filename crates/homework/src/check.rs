@@ -1,155 +1,80 @@
 //! Checks an attempt on the student's own machine.
 
 use std::fs::{self, File};
-use std::io::Write;
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::Duration;
 
-use exercise::{Answer, Sheet, Wrong};
 use stage::Error;
-use wait_timeout::ChildExt;
 
-use crate::judge::{Verdict, judge};
+use crate::attempt::{Outcome, in_the_open};
+use crate::report::{Report, Status, json_of};
 use crate::start::hand_out;
-use crate::{Catalog, Exercise, folder};
+use crate::submission::Submission;
+use crate::{Catalog, Exercise, folder, placed};
 
-/// Longer than this no attempt takes.
-const PATIENCE: Duration = Duration::from_secs(20);
+/// How an attempt is looked at.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CheckAsk {
+    /// An object for other programs instead of a text.
+    pub json: bool,
+    /// Whether a method that is right is measured beside the chapter's.
+    pub trade: bool,
+}
 
-/// Builds and runs the attempt in a folder, and says what the first wrong value is. `Ok(true)` where all is right.
-pub fn check(attempt: &Path, output: &mut dyn Write) -> Result<bool, Error> {
+/// Builds and runs the attempt in a folder, and says what the first wrong value is. `Ok(true)` where all is
+/// right.
+pub fn check(attempt: &Path, ask: CheckAsk, output: &mut dyn Write) -> Result<bool, Error> {
     let catalog = Catalog::read()?;
     let exercise = catalog.find(&folder::exercise_of(attempt)?)?;
-    let sheet = exercise.sheet();
-    let Some(answers) = run(&catalog, exercise, &sheet, attempt)? else { return Ok(false) };
-    let verdict = judge(exercise, &sheet, &answers);
-    say(exercise, &sheet, &answers, &verdict, output).map_err(Error::from_output)?;
-    remember(attempt, verdict.earned, exercise.points());
-    progress(&catalog, attempt, output).map_err(Error::from_output)?;
-    Ok(verdict.wrong.is_none())
-}
-
-/// The answers of an attempt to all cases; `None` where it does not compile (the compiler has said why).
-fn run(
-    catalog: &Catalog,
-    exercise: &Exercise,
-    sheet: &Sheet,
-    attempt: &Path,
-) -> Result<Option<Vec<Answer>>, Error> {
+    if ask.trade && exercise.manifest.method.is_none() {
+        let why = "it adds no method to its chapter, so there is nothing to measure; leave --trade out";
+        return Err(Error::Request(format!("{}: {why}", exercise.manifest.name)));
+    }
+    let students = folder::students(attempt)?;
     // the student's files in a hand-out as it was, so that nothing else matters
-    let fresh = attempt.join("target/checked");
-    let mut files = hand_out(catalog, exercise)?;
-    for (name, text) in folder::students(attempt)? {
-        files.insert(format!("src/{name}"), text);
+    let mut files = hand_out(&catalog, exercise)?;
+    files.extend(students.iter().map(|(name, text)| (format!("src/{name}"), text.clone())));
+    let sheet = exercise.sheet();
+    let colors = !ask.json && io::stderr().is_terminal();
+    let outcome = in_the_open(&attempt.join("target/checked"), &files, exercise, &sheet, colors)?;
+    let report = Report::of(&Submission::at(attempt), exercise, &sheet, &outcome);
+    let right = report.status == Status::Right;
+    if ask.json {
+        output.write_all(json_of(&report).as_bytes()).map_err(Error::from_output)?;
+    } else {
+        say(exercise, &report, &outcome, output).map_err(Error::from_output)?;
     }
-    let cases = fresh.join("cases.txt");
-    let answers = fresh.join("answers.txt");
-    let _ = fs::remove_dir_all(fresh.join("src"));
-    let _ = fs::remove_file(&answers);
-    folder::write(&files, &fresh)?;
-    fs::write(&cases, questions(sheet)).map_err(|error| folder::failed("write", &cases, error))?;
-
-    let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
-    let mut build = Command::new(cargo);
-    build.args(["build", "--quiet", "--target-dir", "target"]).current_dir(&fresh);
-    // what cargo says of this workbench is not said of the attempt
-    build.env_remove("CARGO_MANIFEST_DIR").env_remove("CARGO_TARGET_DIR");
-    let built = build.status().map_err(|error| Error::Failed(format!("cannot run cargo: {error}")))?;
-    if !built.success() {
-        return Ok(None);
+    if matches!(outcome, Outcome::Answered(_)) {
+        remember(attempt, report.score, report.points);
+        if !ask.json {
+            progress(&catalog, attempt, output).map_err(Error::from_output)?;
+        }
     }
-    let program = fresh.join("target/debug").join(&exercise.manifest.chapter);
-    let program = program.canonicalize().map_err(|error| folder::failed("find", &program, error))?;
-    let null = || Stdio::null();
-    let mut child = Command::new(&program)
-        .args(["--probe", "cases.txt", "answers.txt"])
-        .current_dir(&fresh)
-        .stdin(null())
-        .stdout(null())
-        .stderr(null())
-        .spawn()
-        .map_err(|error| folder::failed("run", &program, error))?;
-    let ended = child.wait_timeout(PATIENCE).map_err(|error| folder::failed("wait for", &program, error))?;
-    if ended.is_none() {
-        let _ = child.kill();
-        let _ = child.wait();
+    if right && ask.trade {
+        // on standard error, where an object for other programs goes to standard output
+        let mut errors = io::stderr();
+        placed::trade(&catalog, exercise, attempt, &students, if ask.json { &mut errors } else { output })?;
     }
-    let text = if answers.exists() { folder::text(&answers)? } else { String::new() };
-    let ending = match ended {
-        None => format!("it was stopped after {} seconds", PATIENCE.as_secs()),
-        Some(status) if !status.success() => format!("it ended with {status}"),
-        Some(_) => "it did not answer".to_string(),
-    };
-    Ok(Some(whole(&text, sheet, &ending)))
+    Ok(right)
 }
 
-/// The cases of a sheet without what is expected of them.
-pub(crate) fn questions(sheet: &Sheet) -> String {
-    let mut sheet = sheet.clone();
-    sheet.rows.iter_mut().for_each(|row| row.steps = Default::default());
-    sheet.to_text()
-}
-
-/// The answers in a text, a row that has none being broken by `ending`.
-pub(crate) fn whole(text: &str, sheet: &Sheet, ending: &str) -> Vec<Answer> {
-    let answers = Answer::all_from_text(text, sheet.rows.len());
-    let broken = |answer: Option<Answer>| {
-        answer.unwrap_or_else(|| Answer {
-            steps: Default::default(),
-            broken: Some(exercise::Broken { message: ending.to_string(), place: String::new() }),
-        })
-    };
-    answers.into_iter().map(broken).collect()
-}
-
-fn say(
-    exercise: &Exercise,
-    sheet: &Sheet,
-    answers: &[Answer],
-    verdict: &Verdict,
-    output: &mut dyn Write,
-) -> std::io::Result<()> {
-    let manifest = &exercise.manifest;
-    writeln!(
-        output,
-        "{} · {} · {} of {} points\n",
-        manifest.name,
-        manifest.page,
-        verdict.earned,
-        exercise.points()
-    )?;
-    let widest = sheet.properties.iter().map(|it| it.name.chars().count()).max().unwrap_or(0);
-    for (property, &right) in sheet.properties.iter().zip(&verdict.right) {
-        let earned = if right { property.points } else { 0 };
-        writeln!(output, "  {:widest$}  {earned} of {}", property.name, property.points)?;
+fn say(exercise: &Exercise, report: &Report, outcome: &Outcome, output: &mut dyn Write) -> io::Result<()> {
+    match outcome {
+        // in the compiler's own colors
+        Outcome::NotBuilt(words) => {
+            eprintln!("{words}");
+            return writeln!(output, "It does not compile; the compiler's words are above.");
+        }
+        Outcome::Refused(why) => return writeln!(output, "It cannot be checked: {why}."),
+        Outcome::Answered(_) => {}
     }
-    writeln!(output)?;
-    match &verdict.wrong {
-        Some(wrong) => say_wrong(exercise, sheet, answers, wrong, verdict, output),
-        None => writeln!(output, "All of it is right."),
+    let (name, page) = (&exercise.manifest.name, &exercise.manifest.page);
+    writeln!(output, "{name} · {page} · {} of {} points\n", report.score, report.points)?;
+    let widest = report.properties.iter().map(|it| it.name.chars().count()).max().unwrap_or(0);
+    for it in &report.properties {
+        writeln!(output, "  {:widest$}  {} of {}", it.name, it.score, it.points)?;
     }
-}
-
-fn say_wrong(
-    exercise: &Exercise,
-    sheet: &Sheet,
-    answers: &[Answer],
-    wrong: &Wrong,
-    verdict: &Verdict,
-    output: &mut dyn Write,
-) -> std::io::Result<()> {
-    writeln!(output, "The first value that is wrong:")?;
-    writeln!(
-        output,
-        "{}",
-        exercise::told(sheet, wrong, answers.get(wrong.row).unwrap_or(&Answer::default()))
-    )?;
-    writeln!(output, "  page      {}", exercise.manifest.page)?;
-    match verdict.mistake {
-        Some(known) => writeln!(output, "\nThis looks like `{}`. {}", known.name, known.says),
-        None => Ok(()),
-    }
+    writeln!(output, "\n{}", report.output)
 }
 
 /// Keeps what an attempt earned, for the progress; where it cannot, nothing is lost.
@@ -160,11 +85,11 @@ fn remember(attempt: &Path, earned: u32, points: u32) {
 }
 
 /// What is solved among the hand-outs that stand beside this one.
-fn progress(catalog: &Catalog, attempt: &Path, output: &mut dyn Write) -> std::io::Result<()> {
+fn progress(catalog: &Catalog, attempt: &Path, output: &mut dyn Write) -> io::Result<()> {
     let Ok(attempt) = attempt.canonicalize() else { return Ok(()) };
-    let Some(folder) = attempt.parent() else { return Ok(()) };
+    let Some(Ok(entries)) = attempt.parent().map(fs::read_dir) else { return Ok(()) };
     let mut best = std::collections::BTreeMap::new();
-    for entry in fs::read_dir(folder)?.flatten() {
+    for entry in entries.flatten() {
         let Ok(points) = fs::read_to_string(entry.path().join("target/points.txt")) else { continue };
         let numbers: Vec<u32> = points.split_whitespace().filter_map(|it| it.parse().ok()).collect();
         if let (Ok(name), &[earned, of]) = (folder::exercise_of(&entry.path()), numbers.as_slice()) {

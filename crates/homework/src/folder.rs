@@ -11,6 +11,7 @@ use stage::Error;
 const GIVEN: [&str; 3] = ["lib.rs", "main.rs", "probe.rs"];
 /// More files than this, or larger ones, no solution has.
 const MOST_FILES: usize = 64;
+const MOST_ENTRIES: usize = 1000;
 const MOST_BYTES: u64 = 1 << 20;
 
 /// Writes files into a folder, making it and those below it.
@@ -27,10 +28,19 @@ pub(crate) fn write(files: &Files, folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The student's own files of `src`, by their path there. Links are refused, for they may lead out of the folder.
+/// The student's own files of `src`, by their path there. Links are refused, for they may lead out of the
+/// folder.
 pub(crate) fn students(folder: &Path) -> Result<Files, Error> {
     let mut files = Files::new();
     let src = folder.join("src");
+    let kind = fs::symlink_metadata(&src).map_err(|error| failed("look into", &src, error))?;
+    if !kind.is_dir() {
+        return Err(Error::Request(format!(
+            "{}: it is a link or no folder: only folders are taken",
+            src.display()
+        )));
+    }
+    let (mut entries_seen, mut bytes) = (0, 0);
     let mut open = vec![(src.clone(), String::new())];
     while let Some((path, name)) = open.pop() {
         let entries = fs::read_dir(&path).map_err(|error| failed("list", &path, error))?;
@@ -47,22 +57,34 @@ pub(crate) fn students(folder: &Path) -> Result<Files, Error> {
                 }
                 _ => {
                     let text = text(&entry.path())?;
+                    bytes += text.len() as u64;
                     files.insert(name, text);
                 }
             }
-            if files.len() > MOST_FILES || open.len() > MOST_FILES {
-                return Err(Error::Request(format!("{}: more than {MOST_FILES} files", src.display())));
-            }
+            entries_seen += 1;
+            let too_much = match () {
+                _ if files.len() > MOST_FILES => format!("more than {MOST_FILES} files"),
+                _ if entries_seen > MOST_ENTRIES => format!("more than {MOST_ENTRIES} files and folders"),
+                _ if bytes > MOST_BYTES => "more than a million bytes in all".to_string(),
+                _ => continue,
+            };
+            return Err(Error::Request(format!("{}: {too_much}", src.display())));
         }
     }
     Ok(files)
 }
 
-/// A text of a student's, which may be anything.
+/// A text of a student's, which may be anything: what is no file is not opened, for a pipe would be waited
+/// for.
 pub(crate) fn text(path: &Path) -> Result<String, Error> {
-    let mut bytes = Vec::new();
-    let file = fs::File::open(path).map_err(|error| failed("read", path, error))?;
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| failed("read", path, error))?;
+    let kind = fs::symlink_metadata(path).map_err(|error| failed("read", path, error))?;
+    if !kind.is_file() {
+        return Err(Error::Request(format!(
+            "{}: it is a link or no file: only files are taken",
+            path.display()
+        )));
+    }
+    let bytes = first(path, MOST_BYTES + 1).map_err(|error| failed("read", path, error))?;
     if bytes.len() as u64 > MOST_BYTES {
         return Err(Error::Request(format!("{}: it has more than a million bytes", path.display())));
     }
@@ -70,10 +92,22 @@ pub(crate) fn text(path: &Path) -> Result<String, Error> {
         .map_err(|_| Error::Request(format!("{}: it is no text in UTF-8", path.display())))
 }
 
+/// The first bytes of a file; of what is no file, none.
+pub(crate) fn first(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    if fs::symlink_metadata(path)?.is_file() {
+        fs::File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
+
 /// The name of the exercise that a folder was handed out for.
 pub(crate) fn exercise_of(folder: &Path) -> Result<String, Error> {
     let path = folder.join("expected.txt");
-    if !path.exists() {
+    if fs::symlink_metadata(folder).is_err() {
+        return Err(Error::Request(format!("{}: there is no such folder", folder.display())));
+    }
+    if fs::symlink_metadata(&path).is_err() {
         let why = "it is no hand-out, for it has no expected.txt; name the folder that `exercise start` made";
         return Err(Error::Request(format!("{}: {why}", folder.display())));
     }
@@ -101,4 +135,72 @@ pub(crate) fn new(folder: &Path) -> Result<PathBuf, Error> {
 
 pub(crate) fn failed(what: &str, path: &Path, error: io::Error) -> Error {
     Error::Failed(format!("cannot {what} {}: {error}", path.display()))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    use std::os::unix::fs::symlink;
+
+    use super::*;
+
+    fn attempt() -> tempfile::TempDir {
+        let attempt = tempfile::tempdir().unwrap();
+        fs::create_dir_all(attempt.path().join("src/deep")).unwrap();
+        fs::write(attempt.path().join("src/a.rs"), "a").unwrap();
+        fs::write(attempt.path().join("src/deep/b.rs"), "b").unwrap();
+        attempt
+    }
+
+    #[test]
+    fn only_the_students_own_files_are_taken() {
+        let attempt = attempt();
+        for name in ["src/lib.rs", "src/main.rs", "src/probe.rs", "src/notes.txt", "build.rs", "Cargo.toml"] {
+            fs::write(attempt.path().join(name), "not taken").unwrap();
+        }
+        symlink("/etc/passwd", attempt.path().join("src/notes")).unwrap();
+        let files = students(attempt.path()).unwrap();
+        assert_eq!(
+            files.into_iter().collect::<Vec<_>>(),
+            [("a.rs", "a"), ("deep/b.rs", "b")].map(|(name, text)| (name.to_string(), text.to_string()))
+        );
+    }
+
+    #[test]
+    fn links_pipes_and_what_is_no_text_are_refused() {
+        let refused = |name: &[u8], make: &dyn Fn(&Path), why: &str| {
+            let attempt = attempt();
+            let path = attempt.path().join(OsStr::from_bytes(name));
+            make(&path);
+            let error = students(attempt.path()).unwrap_err().to_string();
+            assert!(error.contains(why), "{error}");
+        };
+        refused(b"src/c.rs", &|path| symlink("/etc/passwd", path).unwrap(), "only files are taken");
+        let pipe = |path: &Path| {
+            assert!(std::process::Command::new("mkfifo").arg(path).status().unwrap().success());
+        };
+        refused(b"src/c.rs", &pipe, "only files are taken");
+        refused(b"src/c.rs", &|path| fs::write(path, b"\xff\xfe").unwrap(), "no text in UTF-8");
+        refused(b"src/\xff.rs", &|path| fs::write(path, b"\xff").unwrap(), "no text in UTF-8");
+        refused(
+            b"src/c.rs",
+            &|path| fs::write(path, vec![b' '; 2 << 20]).unwrap(),
+            "more than a million bytes",
+        );
+        let many = |path: &Path| {
+            fs::create_dir(path).unwrap();
+            (0..100).for_each(|number| fs::write(path.join(format!("{number}.rs")), "").unwrap());
+        };
+        refused(b"src/many", &many, "more than 64 files");
+    }
+
+    #[test]
+    fn a_folder_that_is_a_link_is_not_followed() {
+        let (one, other) = (attempt(), tempfile::tempdir().unwrap());
+        symlink(one.path().join("src"), other.path().join("src")).unwrap();
+        assert!(students(other.path()).unwrap_err().to_string().contains("only folders are taken"));
+        symlink(one.path().join("src/a.rs"), other.path().join("expected.txt")).unwrap();
+        assert!(exercise_of(other.path()).unwrap_err().to_string().contains("only files are taken"));
+    }
 }

@@ -1,16 +1,32 @@
 //! Hand out an exercise, check an attempt, grade a class.
 //!
-//! What an exercise is stands in `chapters/*/exercises`, see [`cutter`]. Its reference solution is the chapter's own
-//! code, and each known mistake is the same code with some lines changed; both are modules of this crate, made when it is
-//! built. An attempt is judged by what it makes of the cases ([`judge`]): never by its text.
+//! What an exercise is stands in `chapters/*/exercises`, see [`cutter`]. Its reference solution is the
+//! chapter's own code, and each known mistake is the same code with some lines changed; both are modules of
+//! this crate, made when it is built. An attempt is judged by what it makes of the cases ([`judge`]): never
+//! by its text.
+//!
+//! [`check`](check()) builds and runs an attempt where it is, on its author's machine. [`grade`](grade())
+//! trusts nobody: each submission is built and run in a sandbox, upon a hand-out that was built once, and
+//! only its own files of `src` count.
 
+mod attempt;
+mod bench;
+mod cargo;
 mod catalog;
 mod check;
 mod folder;
+mod grade;
+mod instructor;
 pub mod judge;
+mod limits;
 mod list;
+mod placed;
+mod process;
+mod report;
+mod sandbox;
 mod sheets;
 mod start;
+mod submission;
 
 #[allow(
     dead_code,
@@ -28,7 +44,8 @@ mod solutions {
 }
 
 pub use catalog::{Catalog, Exercise, Known};
-pub use check::check;
-pub use list::list;
+pub use check::{CheckAsk, check};
+pub use grade::{GradeAsk, GradeFormat, grade};
+pub use list::{ListFormat, list};
 pub use sheets::{answers, sheet};
 pub use start::{hand_out, start};

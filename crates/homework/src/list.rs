@@ -6,11 +6,27 @@ use serde_json::json;
 use stage::Error;
 
 use crate::Catalog;
+use crate::instructor::page;
 
-/// Lists every exercise, as text or as JSON.
-pub fn list(json: bool, output: &mut dyn Write) -> Result<(), Error> {
+/// How exercises are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ListFormat {
+    /// A line each.
+    Text,
+    /// For other programs.
+    Json,
+    /// A page for the lecturer, with the answers.
+    Instructor,
+}
+
+/// Lists every exercise.
+pub fn list(format: ListFormat, output: &mut dyn Write) -> Result<(), Error> {
     let catalog = Catalog::read()?;
-    let said = if json { as_json(&catalog, output) } else { as_text(&catalog, output) };
+    let said = match format {
+        ListFormat::Text => as_text(&catalog, output),
+        ListFormat::Json => as_json(&catalog, output),
+        ListFormat::Instructor => output.write_all(page(&catalog).as_bytes()),
+    };
     said.map_err(Error::from_output)
 }
 

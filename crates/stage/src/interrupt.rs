@@ -40,6 +40,14 @@ fn hangup_is_ignored(status: &str) -> bool {
 pub(crate) struct UnfinishedFiles(Mutex<BTreeSet<PathBuf>>);
 
 impl UnfinishedFiles {
+    /// Makes a folder, and knows it from the first as one that is to be removed with all that is in it.
+    fn begin_folder(&self, make: impl FnOnce() -> io::Result<PathBuf>) -> io::Result<Unfinished<'_>> {
+        let mut places = self.places();
+        let place = make()?;
+        places.insert(place.clone());
+        Ok(Unfinished { place, among: self })
+    }
+
     /// Makes an empty file that is known to be unfinished from the first, so that no interrupt comes in
     /// between.
     pub(crate) fn begin(&self, place: PathBuf) -> io::Result<(Unfinished<'_>, File)> {
@@ -83,8 +91,7 @@ impl Drop for Unfinished<'_> {
     fn drop(&mut self) {
         let mut places = self.among.places();
         if places.remove(&self.place) {
-            // It may be gone already; and what cannot be removed cannot be helped.
-            let _ = fs::remove_file(&self.place);
+            remove(&self.place);
         }
     }
 }
@@ -92,7 +99,32 @@ impl Drop for Unfinished<'_> {
 /// Removes the files at all these places.
 fn remove_all(places: &mut BTreeSet<PathBuf>) {
     for place in std::mem::take(places) {
-        let _ = fs::remove_file(place);
+        remove(&place);
+    }
+}
+
+/// Removes a file, or a folder with all that is in it. It may be gone already; and what cannot be removed
+/// cannot be helped.
+fn remove(place: &Path) {
+    if fs::remove_file(place).is_err() {
+        // while another thread writes into the folder it is not empty at the end; soon nobody will
+        let _ = (0..10).find(|_| fs::remove_dir_all(place).is_ok() || !place.exists());
+    }
+}
+
+/// A folder for what is needed until the program ends: dropped, or where the program is interrupted, it is
+/// removed with all that is in it.
+pub struct Scratch(Unfinished<'static>);
+
+impl Scratch {
+    /// The folder that `make` makes and names.
+    pub fn new(make: impl FnOnce() -> io::Result<PathBuf>) -> io::Result<Scratch> {
+        UNFINISHED.begin_folder(make).map(Scratch)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.0.place
     }
 }
 
@@ -126,6 +158,23 @@ mod tests {
         drop(unfinished);
         assert!(!d.exists() && a.exists() && b.exists() && folder.join("whole").exists());
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 3);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_scratch_folder_goes_with_all_that_is_in_it() {
+        let (folder, files) = folder("scratch");
+        for interrupted in [false, true] {
+            let place = folder.join("scratch");
+            let scratch =
+                files.begin_folder(|| fs::create_dir_all(place.join("a/b")).map(|()| place.clone())).unwrap();
+            fs::write(place.join("a/b/c"), "").unwrap();
+            if interrupted {
+                remove_all(&mut files.places());
+            }
+            drop(scratch);
+            assert!(!place.exists(), "interrupted: {interrupted}");
+        }
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -43,7 +43,7 @@ pub use command::{finish, main, main_from, refuse, report};
 pub use error::Error;
 pub use flags::Flag;
 pub use ids::Ids;
-pub use interrupt::clean_up_when_interrupted;
+pub use interrupt::{Scratch, clean_up_when_interrupted};
 pub use pixels::each_pixel;
 pub use progress::Progress;
 pub use tiles::{Tile, Workers, tiled};

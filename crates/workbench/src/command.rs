@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Arg, ArgMatches, Command, value_parser};
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use homework::{CheckAsk, GradeAsk, GradeFormat, ListFormat};
 use stage::{Error, clean_up_when_interrupted, finish, refuse};
 
 use crate::list::list;
@@ -39,23 +40,48 @@ pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> 
                     matches.get_one::<PathBuf>("into").cloned().unwrap_or_else(|| PathBuf::from(short));
                 homework::start(name, &into, output)
             }
-            Some((_, matches)) => homework::list(json(matches), output),
-            None => homework::list(false, output),
+            Some((_, matches)) => homework::list(list_format(matches), output),
+            None => homework::list(ListFormat::Text, output),
         },
         Some(("check", matches)) => {
             let attempt =
                 matches.get_one::<PathBuf>("attempt").cloned().unwrap_or_else(|| PathBuf::from("."));
-            match homework::check(&attempt, output)? {
+            let ask = CheckAsk { json: json(matches), trade: matches.get_flag("trade") };
+            match homework::check(&attempt, ask, output)? {
                 true => Ok(()),
                 false => Err(Error::NotYet),
             }
         }
+        Some(("grade", matches)) => homework::grade(&grade_ask(matches), output),
         Some((_, matches)) => {
             let names = matches.get_many::<String>("stage").unwrap_or_default();
             let names: Vec<&str> = names.map(String::as_str).collect();
             run(&stages::named(&names), &folder(matches)?, output)
         }
         None => run(stages::ALL, &folder(matches)?, output),
+    }
+}
+
+fn list_format(matches: &ArgMatches) -> ListFormat {
+    match matches.get_one::<String>("format").map(String::as_str) {
+        Some("json") => ListFormat::Json,
+        Some("instructor") => ListFormat::Instructor,
+        _ => ListFormat::Text,
+    }
+}
+
+fn grade_ask(matches: &ArgMatches) -> GradeAsk {
+    GradeAsk {
+        folders: matches.get_many("folders").into_iter().flatten().cloned().collect(),
+        exercise: matches.get_one("exercise").cloned(),
+        format: match matches.get_one::<String>("format").map(String::as_str) {
+            Some("json") => GradeFormat::Json,
+            Some("csv") => GradeFormat::Csv,
+            Some("gradescope") => GradeFormat::Gradescope,
+            _ => GradeFormat::Text,
+        },
+        jobs: matches.get_one::<u16>("jobs").map(|&jobs| usize::from(jobs)),
+        unsandboxed: matches.get_flag("unsandboxed"),
     }
 }
 
@@ -97,20 +123,12 @@ pub fn command() -> Command {
                 .help("A new folder for it [default: STAGE-EXERCISE]"),
         );
     let exercise = Command::new("exercise").about("List the exercises, or hand one out").subcommands([
-        Command::new("list")
-            .about("Say what exercises there are")
-            .arg(format("How the exercises are listed")),
+        Command::new("list").about("Say what exercises there are").arg(
+            format("How the exercises are listed; instructor is a page for the lecturer, with the answers")
+                .value_parser(["text", "json", "instructor"]),
+        ),
         start,
     ]);
-    let check = Command::new("check")
-        .about("Build and run an attempt at an exercise, and say which value is wrong first")
-        .after_help("Exit status: 0 all is right, 1 it is not or does not compile, 2 the request was wrong")
-        .arg(
-            Arg::new("attempt")
-                .value_name("DIR")
-                .value_parser(value_parser!(PathBuf))
-                .help("The folder of the hand-out [default: .]"),
-        );
     Command::new("workbench")
         .bin_name("workbench")
         .about("Run every stage, print the intermediate values of each, and write each picture")
@@ -119,8 +137,65 @@ pub fn command() -> Command {
              Exit status: 0 done, 1 it could not be done, 2 the request was wrong",
         )
         .disable_help_subcommand(true)
-        .subcommands([run, list, exercise, check])
+        .subcommands([run, list, exercise, check(), grade()])
         .arg(out().global(true))
+}
+
+fn check() -> Command {
+    Command::new("check")
+        .about("Build and run an attempt at an exercise, and say which value is wrong first")
+        .after_help("Exit status: 0 all is right, 1 it is not or does not compile, 2 the request was wrong")
+        .arg(
+            Arg::new("attempt")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .help("The folder of the hand-out [default: .]"),
+        )
+        .arg(format("How the verdict is written"))
+        .arg(flag("trade").help(
+            "Where the exercise is a method of its chapter and is right: build the chapter with it, measure it beside \
+             the other methods, and draw DIR/trade.svg",
+        ))
+}
+
+fn grade() -> Command {
+    Command::new("grade")
+        .about("Grade a class: build and run every submission in a sandbox, side by side")
+        .after_help(
+            "Of a submission only its own .rs files in src/ are taken, and put into a fresh hand-out. Each has 60 seconds \
+             to compile and 10 to run, 256 MB, no network, and sees nothing but the system and itself.\n\
+             Exit status: 0 all were graded, whatever the grade; 1 that could not be done; 2 the request was wrong",
+        )
+        .arg(
+            Arg::new("folders")
+                .value_name("DIR")
+                .required(true)
+                .num_args(1..)
+                .value_parser(value_parser!(PathBuf))
+                .help("The submissions, a folder each; its name is the student's"),
+        )
+        .arg(
+            Arg::new("exercise")
+                .long("exercise")
+                .value_name("STAGE/NAME")
+                .help("The exercise that was set [default: each submission says which one it is for]"),
+        )
+        .arg(
+            format("How the grades are written; gradescope is for one submission")
+                .value_parser(["text", "json", "csv", "gradescope"]),
+        )
+        .arg(
+            Arg::new("jobs")
+                .long("jobs")
+                .value_name("N")
+                .value_parser(value_parser!(u16).range(1..))
+                .help("How many are graded at a time [default: one a processor]"),
+        )
+        .arg(flag("unsandboxed").help("Do without the sandbox: a submission can then do all that you can"))
+}
+
+fn flag(name: &'static str) -> Arg {
+    Arg::new(name).long(name).action(ArgAction::SetTrue)
 }
 
 fn format(help: &'static str) -> Arg {

@@ -1,0 +1,48 @@
+//! A class as it is: right, wrong, half done, and some who would like to get more than they earned. In `cargo
+//! test`.
+
+use std::fs;
+
+use crate::class::Class;
+
+#[test]
+fn a_class_is_graded() {
+    let class = Class::new();
+    class.right("right");
+    class.with("mistaken", |solution| solution.replace("u_r.dot(c - p_r)", "u_r.dot(c)"));
+    class.with("slip", |solution| solution.replace("let d = (", "let d = 2.0_f32.into_real() * ("));
+    class.that("panics", "panic!(\"no idea\\u{1b}[31m\");");
+    class.that("loops", "if sphere.radius == R::from(3.0) { loop { std::hint::spin_loop(); } }");
+
+    // only src counts, and what is given is put there anew
+    let forger = class.with("forger", |solution| solution.replace("self.t_close - a", "self.t_close"));
+    fs::write(forger.join("Cargo.toml"), "[package]\nname = \"mine\"\nbuild = \"build.rs\"\n").unwrap();
+    fs::write(forger.join("build.rs"), "fn main() { loop {} }").unwrap();
+    fs::create_dir_all(forger.join(".cargo")).unwrap();
+    fs::write(forger.join(".cargo/config.toml"), "[build]\nrustc-wrapper = \"/bin/false\"\n").unwrap();
+    fs::write(forger.join("src/main.rs"), "fn main() { std::process::exit(0) }").unwrap();
+    fs::write(forger.join("src/probe.rs"), "pub fn probe() {}").unwrap();
+    fs::create_dir_all(forger.join("given/exercise/src")).unwrap();
+    fs::write(forger.join("given/exercise/src/lib.rs"), "compile_error!(\"mine\");").unwrap();
+
+    // what is no submission is a row
+    fs::create_dir(class.path("empty")).unwrap();
+    fs::write(class.path("file.zip"), "PK").unwrap();
+    let other = class.right("of no exercise");
+    fs::write(other.join("expected.txt"), "exercise\t../../etc/passwd\n").unwrap();
+
+    let Some(grades) = class.grades() else { return };
+    grades.says("right", 9, "right", "All of it is right.");
+    // by hand: where the ray starts at the origin, a miss and touching, it changes nothing
+    grades.says("mistaken", 2, "wrong", "from-the-world-origin");
+    assert_eq!(grades.of("mistaken")["first_wrong"]["symbol"], "t_close");
+    grades.says("slip", 0, "does not compile", "src/closest_approach.rs:");
+    grades.says("panics", 0, "wrong", "a panic at src/closest_approach.rs:");
+    assert!(!grades.said("panics").contains('\x1b'));
+    // what was answered before it came to the sphere that it cannot do counts: 1 + 2 + 1 + 1
+    grades.says("loops", 5, "wrong", "stopped after 10 seconds");
+    grades.says("forger", 2, "wrong", "surface-for-center");
+    grades.says("empty", 0, "refused", "no expected.txt");
+    grades.says("file.zip", 0, "refused", "file.zip");
+    grades.says("of no exercise", 0, "refused", "there is no exercise");
+}
