@@ -29,7 +29,8 @@ struct Base {
 }
 
 /// Cargo keeps to the sandbox: nothing of our home is there.
-const CARGO: &str = "export CARGO_HOME=/work/.home TMPDIR=/work/tmp CARGO_INCREMENTAL=0 CARGO_TERM_COLOR=never; \
+const CARGO: &str = "export CARGO_HOME=/work/.home TMPDIR=/work/tmp CARGO_INCREMENTAL=0; \
+                     export CARGO_TERM_COLOR=never; \
                      mkdir -p /work/tmp;";
 /// What was built once cannot be unpacked: nothing that an attempt could do.
 const NOT_OURS: i32 = 89;
@@ -41,7 +42,8 @@ const NOT_BUILT: i32 = 91;
 /// What the program prints goes nowhere; its answers go through a pipe that is the sandbox's own, as they
 /// come. A process that it left behind may hold the pipe: it is not waited for.
 const RUN_IT: &str = "mkfifo answers; cat answers & cat=$!; \
-                      prlimit --nproc=PROCESSES -- /program --probe /cases.txt answers >/dev/null 2>&1; echo $? >&2; \
+                      prlimit --nproc=PROCESSES -- /program --probe /cases.txt answers >/dev/null 2>&1; \
+                      echo $? >&2; \
                       { sleep 1; kill $cat; } & wait $cat";
 
 impl<'a> Bench<'a> {
@@ -62,7 +64,8 @@ impl<'a> Bench<'a> {
         self.share(&place)?;
         let shown = [(self.toolchain.as_path(), "/toolchain"), (&project, "/project")];
         let script = format!(
-            "{CARGO} cp -r /project/. . && cargo build --quiet --offline >&2 && rm -rf tmp && tar --format=posix -c $(ls -A)"
+            "{CARGO} cp -r /project/. . && cargo build --quiet --offline >&2 && rm -rf tmp && \
+             tar --format=posix -c $(ls -A)"
         );
         let built = self.sandbox.run(&BASE, &shown, &script).map_err(|error| bwrap(&error))?;
         if !built.well() {

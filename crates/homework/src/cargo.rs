@@ -19,7 +19,8 @@ pub(crate) fn cargo(folder: &Path, verb: &str) -> Command {
 /// Cargo did not start.
 pub(crate) fn missing(error: std::io::Error) -> Error {
     Error::Failed(format!(
-        "cannot run cargo: {error}; install Rust from https://rustup.rs, or say where cargo is with CARGO=PATH"
+        "cannot run cargo: {error}; install Rust from https://rustup.rs, \
+         or say where cargo is with CARGO=PATH"
     ))
 }
 

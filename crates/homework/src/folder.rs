@@ -134,7 +134,14 @@ pub(crate) fn new(folder: &Path) -> Result<PathBuf, Error> {
 }
 
 pub(crate) fn failed(what: &str, path: &Path, error: io::Error) -> Error {
-    Error::Failed(format!("cannot {what} {}: {error}", path.display()))
+    let remedy = match error.kind() {
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            "; copy the folder to where you may write"
+        }
+        ErrorKind::StorageFull => "; free some space",
+        _ => "",
+    };
+    Error::Failed(format!("cannot {what} {}: {error}{remedy}", path.display()))
 }
 
 #[cfg(all(test, unix))]

@@ -18,7 +18,11 @@ pub(crate) fn page(catalog: &Catalog) -> String {
         );
     }
     let minutes: u32 = catalog.exercises.iter().map(|it| it.manifest.minutes).sum();
-    text += &format!("\n{} exercises, about {} hours.\n", catalog.exercises.len(), minutes.div_ceil(60));
+    text += &format!(
+        "\nExercises: {}; hours, together: about {}.\n",
+        catalog.exercises.len(),
+        minutes.div_ceil(60)
+    );
     text + &catalog.exercises.iter().map(section).collect::<String>()
 }
 
@@ -42,7 +46,8 @@ fn section(exercise: &Exercise) -> String {
     let (question, answer) = &it.predict;
     let mut text = format!(
         "\n## {}\n\n*{}* · {} · about {} minutes\n\n**Teaches.** {}\n\n**Predict, then run.** {question}\n\n\
-         **Answer.** {answer}\n\n**Expected misconceptions.** `check` and `grade` name them by what they do.\n\n",
+         **Answer.** {answer}\n\n**Expected misconceptions.** `check` and `grade` name them by what they \
+         do.\n\n",
         it.name,
         it.title,
         it.page,
@@ -58,8 +63,8 @@ fn section(exercise: &Exercise) -> String {
     }
     if let Some(method) = &it.method {
         text += &format!(
-            "\nIt is a method of `{}`: once it is right, `check DIR --trade` measures the student's `{method}` beside \
-             the others.\n",
+            "\nIt is a method of `{}`: once it is right, `check DIR --trade` measures the student's `{method}` \
+             beside the others.\n",
             it.chapter
         );
     }

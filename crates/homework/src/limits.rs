@@ -8,7 +8,8 @@ use std::time::Duration;
 pub(crate) struct Limits {
     /// By the clock.
     pub(crate) wall: Duration,
-    /// Bytes of memory that a process may ask for; its address space may be twice that.
+    /// Bytes of memory that a process has for itself; with its program and what it shares, half as much
+    /// again.
     pub(crate) memory: u64,
     /// Processes and threads at a time.
     pub(crate) processes: u32,
@@ -76,7 +77,7 @@ impl Limits {
     pub(crate) fn prlimit(&self) -> Vec<OsString> {
         let Limits { memory, processes, open_files, file, .. } = self;
         let limits = [
-            format!("--as={}", memory * 2),
+            format!("--as={}", memory / 2 * 3),
             format!("--data={memory}"),
             format!("--nproc={}", processes + OURS),
             format!("--nofile={open_files}"),

@@ -27,7 +27,8 @@ fn value(it: &Report) -> Value {
     let mistake = it.mistake.as_ref().map(|(name, says)| json!({ "name": name, "says": says }));
     json!({
         "student": it.student, "folder": it.folder, "exercise": it.exercise, "status": it.status.name(),
-        "score": it.score, "points": it.points, "properties": it.properties.iter().map(part).collect::<Vec<_>>(),
+        "score": it.score, "points": it.points,
+        "properties": it.properties.iter().map(part).collect::<Vec<_>>(),
         "first_wrong": wrong, "mistake": mistake, "output": it.output,
     })
 }

@@ -22,14 +22,21 @@ pub(crate) fn text(reports: &[Report]) -> String {
     text + &format!("\n{} submissions: {}\n", reports.len(), kinds.join(", "))
 }
 
+/// What a hole of the hand-out says.
+const UNTOUCHED: &str = ": not yet implemented: ";
+
 /// What stands behind the points.
 fn remark(report: &Report) -> String {
     let mistake = report.mistake.as_ref().map(|(name, _)| format!(" ({name})")).unwrap_or_default();
     match (report.status, &report.wrong) {
         (Status::Right, _) => String::new(),
+        (Status::Wrong, Some(it)) if it.got.contains(UNTOUCHED) => {
+            let place = it.got.strip_prefix("a panic at ").and_then(|rest| rest.split(UNTOUCHED).next());
+            format!("{}: not done yet, {} still asks", it.property, place.unwrap_or("it"))
+        }
         (Status::Wrong, Some(it)) => {
             let (expected, got) = (one_line(&it.expected, 40), one_line(&it.got, 90));
-            format!("{}: {} is {expected}, not {got}{mistake}", it.property, symbol(&it.symbol))
+            format!("{}: {} should be {expected}; got {got}{mistake}", it.property, symbol(&it.symbol))
         }
         // the compiler names the file in its second line
         (Status::NotCompiled, _) => {
@@ -54,7 +61,7 @@ mod tests {
         let by_hand = "\
 student            exercise                     points  the first value that is wrong
 ada                ray-sphere/closest-approach  3 of 3
-bob, \"the\" second  ray-sphere/closest-approach  1 of 3  from inside: t_close is 1, not 2 (direction-not-unit)
+bob, \"the\" second  ray-sphere/closest-approach  1 of 3  from inside: t_close should be 1; got 2 (direction-not-unit)
 =HYPERLINK(\"x\")                                 0 of 0  it is no hand-out
 
 3 submissions: 1 right, 1 wrong, 1 refused

@@ -174,6 +174,12 @@ fn nobody_takes_more_than_a_share() {
          let count = all.len(); drop(all); panic!(\"opened {count}\");",
     );
     class.that(
+        "shares memory",
+        &tell(
+            "std::process::Command::new(\"ipcmk\").args([\"-M\", \"1000000\"]).status().unwrap().success()",
+        ),
+    );
+    class.that(
         "answers without end",
         "std::fs::write(\"answers\", \"step\\tx\\n\".repeat(1 << 20)).unwrap();",
     );
@@ -200,6 +206,7 @@ fn nobody_takes_more_than_a_share() {
     ] {
         grades.says(name, 0, "wrong", word);
     }
+    assert!(grades.said("shares memory").contains(": false"), "{}", grades.said("shares memory"));
     assert_eq!(grades.of("answers without end")["status"], "wrong");
     assert!(!running("77123"), "a process is left");
 }
