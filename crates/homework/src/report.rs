@@ -173,7 +173,7 @@ fn in_words(sheet: &Sheet, wrong: &Wrong, answers: &[Answer]) -> FirstWrong {
     let broken = answers.get(wrong.row).and_then(|it| it.broken.as_ref()).filter(|_| wrong.broken.is_some());
     let got = match (&wrong.got, broken) {
         (Some(got), _) => got.to_string(),
-        (None, Some(it)) if it.place.is_empty() => it.message.clone(),
+        (None, Some(it)) if it.place.is_empty() => format!("nothing: {}", it.message),
         (None, Some(it)) => format!("a panic at {}: {}", it.place, it.message),
         (None, None) => "nothing".to_string(),
     };
