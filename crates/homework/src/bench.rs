@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cutter::source::Files;
-use exercise::Sheet;
+use exercise::{Answer, Sheet};
 use stage::{Error, Scratch};
 
 use crate::attempt::{Outcome, ending, questions, whole};
@@ -77,7 +77,27 @@ impl<'a> Bench<'a> {
         write(&cases, questions(&sheet).as_bytes())?;
         self.share(&place)?;
         self.bases.insert(name.clone(), Base { packed, cases, sheet });
-        Ok(())
+        self.try_untouched(exercise)
+    }
+
+    /// Whether the untouched hand-out answers: where it does not, no submission is to blame.
+    fn try_untouched(&self, exercise: &Exercise) -> Result<(), Error> {
+        let why = match self.attempt(exercise, 0, &Files::new())? {
+            // it asks its questions, each at a place of its own
+            Outcome::Answered(answers) => {
+                let asks = |it: &Answer| it.broken.as_ref().is_none_or(|broken| !broken.place.is_empty());
+                let ending = answers.iter().find(|it| !asks(it)).and_then(|it| it.broken.clone());
+                let Some(broken) = ending else { return Ok(()) };
+                broken.message
+            }
+            Outcome::NotBuilt(why) | Outcome::Refused(why) => why,
+        };
+        let remedy =
+            "where programs may not run in the folder for temporary files, name another: TMPDIR=FOLDER";
+        let name = &exercise.manifest.name;
+        Err(Error::Failed(format!(
+            "the untouched hand-out of {name} does not run in the sandbox: {why}\n{remedy}"
+        )))
     }
 
     /// Builds and runs an attempt, `number` being its own, with the student's `files` of `src`.

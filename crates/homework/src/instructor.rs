@@ -63,8 +63,8 @@ fn section(exercise: &Exercise) -> String {
     }
     if let Some(method) = &it.method {
         text += &format!(
-            "\nIt is a method of `{}`: once it is right, `check DIR --trade` measures the student's `{method}` \
-             beside the others.\n",
+            "\nIt is a method of `{}`: once it is right, `check DIR --trade` measures the student's \
+             `{method}` beside the others.\n",
             it.chapter
         );
     }

@@ -47,8 +47,9 @@ pub(crate) fn trade(
         .args(["--quiet", "--release", "--target-dir", "target", "-p", &manifest.chapter])
         .stdin(Stdio::null());
     if !build.status().map_err(cargo::missing)?.success() {
-        let why = "the stage does not compile with your files in it; the compiler's words are above";
-        return Err(Error::Failed(format!("{why}. The stage also calls: {}", calls(manifest))));
+        let why =
+            "the stage does not compile with your files in it; the compiler's words are above. It calls what";
+        return Err(Error::Failed(format!("{why} {} had in the hand-out, by the same names", manifest.file)));
     }
     let program = placed.join("target/release").join(&manifest.chapter);
     let program = program.canonicalize().map_err(|error| folder::failed("find", &program, error))?;
@@ -71,10 +72,6 @@ pub(crate) fn trade(
     let place = attempt.join("trade.svg");
     write_whole(&place, |file| file.write_all(&drawing))?;
     writeln!(output, "drawing: {}", place.display()).map_err(printed)
-}
-
-fn calls(manifest: &cutter::Manifest) -> String {
-    format!("what {} had in the hand-out, by the same names", manifest.file)
 }
 
 /// Copies what the crate in a folder is built from: its workspace without any other crate.

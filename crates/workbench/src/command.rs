@@ -153,8 +153,8 @@ fn check() -> Command {
         )
         .arg(format("How the verdict is written"))
         .arg(flag("trade").help(
-            "Where the exercise is a method of its chapter and is right: build the chapter with it, measure it \
-             beside the other methods, and draw DIR/trade.svg",
+            "Where the exercise is a method of its chapter and is right: build the chapter with it, measure \
+             it beside the other methods, and draw DIR/trade.svg",
         ))
 }
 
@@ -162,8 +162,9 @@ fn grade() -> Command {
     Command::new("grade")
         .about("Grade a class: build and run every submission in a sandbox, side by side")
         .after_help(
-            "Of a submission only its own .rs files in src/ are taken, and put into a fresh hand-out. Each has 60 \
-             seconds to compile and 10 to run, 256 MB, no network, and sees nothing but the system and itself.\n\
+            "Of a submission only its own .rs files in src/ are taken, and put into a fresh hand-out. Each \
+             has 60 seconds to compile and 10 to run, 256 MB, no network, and sees nothing but the system \
+             and itself.\n\
              Exit status: 0 all were graded, whatever the grade; 1 that could not be done; 2 the request was \
              wrong",
         )
@@ -181,10 +182,12 @@ fn grade() -> Command {
                 .value_name("STAGE/NAME")
                 .help("The exercise that was set [default: each submission says which one it is for]"),
         )
-        .arg(
-            format("How the grades are written; gradescope is for one submission")
-                .value_parser(["text", "json", "csv", "gradescope"]),
-        )
+        .arg(format("How the grades are written; gradescope is for one submission").value_parser([
+            "text",
+            "json",
+            "csv",
+            "gradescope",
+        ]))
         .arg(
             Arg::new("jobs")
                 .long("jobs")

@@ -1,9 +1,8 @@
 //! For a spreadsheet: RFC 4180, and nothing that a spreadsheet would take for a formula.
 
-use csv_core::Terminator;
-use csv_core::{WriteResult, WriterBuilder};
+use csv_core::{Terminator, WriterBuilder};
 
-use super::{Part, Report};
+use super::{Part, Report, Status};
 
 const COLUMNS: [&str; 11] = [
     "student",
@@ -25,8 +24,8 @@ pub(crate) fn csv(reports: &[Report]) -> String {
     for it in reports {
         let part = |it: &Part| format!("{} {}/{}", it.name, it.score, it.points);
         let properties: Vec<String> = it.properties.iter().map(part).collect();
-        let wrong = it.wrong.as_ref();
-        let refused = || it.output.lines().next().unwrap_or_default().to_string();
+        let [symbol, expected, got] = first_wrong(it);
+        let mistake = it.mistake.as_ref().map(|(name, _)| name.clone()).unwrap_or_default();
         text += &line(&[
             guarded(&it.student),
             guarded(&it.folder),
@@ -35,16 +34,23 @@ pub(crate) fn csv(reports: &[Report]) -> String {
             it.score.to_string(),
             it.points.to_string(),
             guarded(&properties.join("; ")),
-            guarded(&wrong.map(|it| it.symbol.clone()).unwrap_or_default()),
-            guarded(&wrong.map(|it| it.expected.clone()).unwrap_or_default()),
-            guarded(&wrong.map_or_else(
-                || if it.score < it.points || it.points == 0 { refused() } else { String::new() },
-                |it| it.got.clone(),
-            )),
-            guarded(&it.mistake.as_ref().map(|(name, _)| name.clone()).unwrap_or_default()),
+            guarded(&symbol),
+            guarded(&expected),
+            guarded(&got),
+            guarded(&mistake),
         ]);
     }
     text
+}
+
+/// Symbol, what is expected, and what came instead; of what was not judged, why.
+fn first_wrong(report: &Report) -> [String; 3] {
+    let why = || report.output.lines().next().unwrap_or_default().to_string();
+    match &report.wrong {
+        Some(it) => [it.symbol.clone(), it.expected.clone(), it.got.clone()],
+        None if report.status == Status::Right => Default::default(),
+        None => [String::new(), String::new(), why()],
+    }
 }
 
 /// A field that a spreadsheet would take for a formula gets an apostrophe before it.
@@ -61,9 +67,7 @@ fn line(fields: &[String]) -> String {
     let (mut bytes, mut end) = (vec![0; longest + 16], 0);
     for (number, field) in fields.iter().enumerate() {
         if number > 0 {
-            let (result, count) = writer.delimiter(&mut bytes[end..]);
-            debug_assert!(matches!(result, WriteResult::InputEmpty));
-            end += count;
+            end += writer.delimiter(&mut bytes[end..]).1;
         }
         end += writer.field(field.as_bytes(), &mut bytes[end..]).2;
     }

@@ -35,7 +35,8 @@ fn nobody_reads_what_is_not_theirs() {
     class.that(
         "processes",
         "let all = std::fs::read_dir(\"/proc\").unwrap().flatten(); \
-         let all: Vec<_> = all.filter_map(|it| std::fs::read_to_string(it.path().join(\"cmdline\")).ok()).collect(); \
+         let all: Vec<_> = all.filter_map(|it| \
+         std::fs::read_to_string(it.path().join(\"cmdline\")).ok()).collect(); \
          panic!(\"{all:?}\");",
     );
     class.with_items(
@@ -83,7 +84,10 @@ fn nobody_reaches_out() {
     class.that("calls far", &tell("std::net::TcpStream::connect(\"1.1.1.1:53\").map_err(|it| it.kind())"));
     class.that(
         "asks for names",
-        &tell("std::net::UdpSocket::bind(\"0.0.0.0:0\").and_then(|it| it.send_to(b\"x\", \"8.8.8.8:53\")).is_ok()"),
+        &tell(
+            "std::net::UdpSocket::bind(\"0.0.0.0:0\").and_then(|it| it.send_to(b\"x\", \
+            \"8.8.8.8:53\")).is_ok()",
+        ),
     );
     let outside = class.path("outside");
     let places = [
@@ -105,7 +109,8 @@ fn nobody_reaches_out() {
                   panic!(\"wrote {{all:?}}\");"
         ),
     );
-    let own = "std::process::Command::new(\"unshare\").args([\"-Urm\", \"mount\", \"-t\", \"tmpfs\", \"none\", \"/work\"])";
+    let own = "std::process::Command::new(\"unshare\").args([\"-Urm\", \"mount\", \"-t\", \"tmpfs\", \
+        \"none\", \"/work\"])";
     class.that("mounts", &tell(&format!("{own}.status().unwrap().success()")));
 
     let Some(grades) = class.grades() else { return };
@@ -128,16 +133,19 @@ fn nobody_takes_more_than_a_share() {
     class.right("neighbor");
     class.that(
         "forks",
-        "let mut count = 0; while std::process::Command::new(\"sleep\").arg(\"77123\").spawn().is_ok() { count += 1; } \
+        "let mut count = 0; while std::process::Command::new(\"sleep\").arg(\"77123\").spawn().is_ok() { \
+            count += 1; } \
          panic!(\"forked {count}\");",
     );
     class.that(
         "fork bomb",
-        "let _ = std::process::Command::new(\"sh\").args([\"-c\", \"b() { b | b & }; b; b\"]).status(); loop {}",
+        "let _ = std::process::Command::new(\"sh\").args([\"-c\", \"b() { b | b & }; b; b\"]).status(); \
+            loop {}",
     );
     class.that(
         "threads",
-        "let mut count = 0; while std::thread::Builder::new().spawn(|| loop { std::thread::park() }).is_ok() { count += 1 } \
+        "let mut count = 0; while std::thread::Builder::new().spawn(|| loop { std::thread::park() \
+            }).is_ok() { count += 1 } \
          panic!(\"threads {count}\");",
     );
     class.that(
@@ -159,18 +167,22 @@ fn nobody_takes_more_than_a_share() {
         "fills the disk",
         "use std::io::Write; let mut bytes = 0; 'all: for name in 0.. { \
          let Ok(mut file) = std::fs::File::create(format!(\"/work/{name}\")) else { break }; \
-         loop { match file.write(&[1; 65536]) { Ok(0) => break 'all, Ok(count) => bytes += count, Err(_) => break } \
+         loop { match file.write(&[1; 65536]) { Ok(0) => break 'all, Ok(count) => bytes += count, Err(_) => \
+         break } \
          if bytes % (4 << 20) == 0 { break } } if bytes == 0 || name > 5000 { break } } \
          panic!(\"filled {} MB\", bytes >> 20);",
     );
     class.that(
         "fills one file",
-        "use std::io::Write; let mut file = std::fs::File::create(\"/work/one\").unwrap(); let mut bytes = 0usize; \
-         while let Ok(count) = file.write(&[1; 65536]) { bytes += count; } panic!(\"wrote {} MB\", bytes >> 20);",
+        "use std::io::Write; let mut file = std::fs::File::create(\"/work/one\").unwrap(); let mut bytes = \
+            0usize; \
+         while let Ok(count) = file.write(&[1; 65536]) { bytes += count; } panic!(\"wrote {} MB\", bytes >> \
+         20);",
     );
     class.that(
         "opens files",
-        "let mut all = Vec::new(); while let Ok(file) = std::fs::File::open(\"/program\") { all.push(file); } \
+        "let mut all = Vec::new(); while let Ok(file) = std::fs::File::open(\"/program\") { all.push(file); \
+            } \
          let count = all.len(); drop(all); panic!(\"opened {count}\");",
     );
     class.that(
@@ -238,13 +250,15 @@ fn nobody_outlives_the_end_or_ends_the_others() {
     class.that(
         "forges",
         "let shown = include_str!(\"../expected.txt\"); let (mut text, mut row) = (String::new(), 0); \
-         for line in shown.lines() { if line.starts_with(\"case\") { text += &format!(\"case\\t{row}\\n\"); row += 1; } \
+         for line in shown.lines() { if line.starts_with(\"case\") { text += &format!(\"case\\t{row}\\n\"); \
+         row += 1; } \
          if line.starts_with(\"step\") { text += line; text += \"\\n\"; } } \
          std::fs::write(\"answers\", text).unwrap(); std::process::exit(0);",
     );
     class.that(
         "says it is right",
-        "std::fs::write(\"answers\", \"case\\t0\\nstep\\tu_r\\tD\\tvector\\tNaN NaN NaN\\t1e300 1e300 1e300\\n\").unwrap(); \
+        "std::fs::write(\"answers\", \"case\\t0\\nstep\\tu_r\\tD\\tvector\\tNaN NaN NaN\\t1e300 1e300 \
+            1e300\\n\").unwrap(); \
          std::process::exit(0);",
     );
     // the compiler
@@ -259,7 +273,10 @@ fn nobody_outlives_the_end_or_ends_the_others() {
         while n < u64::MAX { n += 1; } n }; pub fn n() -> u64 { N }",
     );
     class.with("doubles macros", |solution| {
-        format!("#![recursion_limit = \"9999\"]\n{solution}\nmacro_rules! d {{ ($($x:tt)*) => {{ d!($($x)* $($x)*); }} }} d!(a);\n")
+        format!(
+            "#![recursion_limit = \"9999\"]\n{solution}\nmacro_rules! d {{ ($($x:tt)*) => {{ d!($($x)* \
+            $($x)*); }} }} d!(a);\n"
+        )
     });
     class.with_items(
         "doubles types",
