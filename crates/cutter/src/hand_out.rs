@@ -26,7 +26,7 @@ pub fn hand_out(
         files.insert(format!("src/{path}"), text);
     }
     let about = format!(
-        "//! {}: what of the chapter `{}` goes with it. Your part is in {}.\n\n",
+        "//! {}: what of the chapter `{}` goes with it. Your part is in {}; this file is written anew when it is checked.\n\n",
         manifest.name,
         manifest.chapter,
         manifest.asks(source)?.into_iter().map(|(file, _)| file).collect::<Vec<_>>().join(" and ")
@@ -100,15 +100,16 @@ fn readme(manifest: &Manifest, source: &Source, transcript: &str) -> Result<Stri
         "\nPut your lines in place of each of these `todo!`s. Helpers of your own may go there, or into modules below.\n\n\
          ```sh\ncargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
          cargo test    # what your code should be right about, one by one\n```\n\n\
-         With the workbench at hand, `workbench check .` (there: `cargo run --release -- check FOLDER`) tries cases that \
-         are not shown here and knows mistakes by name.\n\n## What it should print\n\n```text\n{transcript}```\n\n\
+         Whoever also has the workbench can ask it, in its own folder: `cargo run --release -- check THIS_FOLDER`. It tries cases \
+         that are not shown here, and knows mistakes by name.\n\n## What it should print\n\n```text\n{transcript}```\n\n\
          ## How it is graded\n\n| property | points |\n| --- | --- |\n"
     );
     for property in properties {
         text += &format!("| {} | {} |\n", property.name, property.points);
     }
     text += "\nA property counts as a whole, on these cases and on others. Numbers may be off by roundings: any algebra \
-             that is right will do. Only `src/` is looked at; `Cargo.toml`, `given/`, `tests/`, `src/lib.rs`, `src/main.rs` \
-             and `src/probe.rs` are put there anew.\n";
+             that is right will do. Only the `.rs` files in `src/` are looked at, and of those not \
+             `lib.rs`, `main.rs` and `probe.rs`, which are put there anew: declare a module of your own where you use it, not in \
+             `lib.rs`. Hand in this folder without `target/`.\n";
     Ok(text)
 }

@@ -49,6 +49,8 @@ pub(crate) fn students(folder: &Path) -> Result<Files, Error> {
             let name = format!("{name}{}", entry.file_name().to_string_lossy());
             let kind = entry.file_type().map_err(|error| failed("look at", &entry.path(), error))?;
             match () {
+                // what a file system leaves beside a file, as `._quadratic.rs`, is nobody's work
+                _ if entry.file_name().to_string_lossy().starts_with('.') => {}
                 _ if kind.is_dir() => open.push((entry.path(), format!("{name}/"))),
                 _ if GIVEN.contains(&name.as_str()) || !name.ends_with(".rs") => {}
                 _ if !kind.is_file() => {
