@@ -37,7 +37,6 @@ impl Spheres {
         parts: impl Iterator<Item = (usize, Option<Sphere<R>>)>,
     ) -> (Vec<Spheres>, Vec<usize>) {
         let (mut blocks, mut rest) = (Vec::<Spheres>::new(), Vec::new());
-        let empty = Spheres { center: [[0.0; FOUR]; 3], r: [0.0; FOUR], parts: [0; FOUR], count: 0 };
         for (part, sphere) in parts {
             let sphere = sphere.map(|it| (it.center.in_f64::<3>(), Into::<f64>::into(it.radius)));
             let Some((center, r)) = sphere.filter(|(_, r)| is_safe(*r)) else {
@@ -45,7 +44,10 @@ impl Spheres {
                 continue;
             };
             if blocks.last().is_none_or(|block| block.count == FOUR) {
-                blocks.push(empty.clone());
+                // in every lane, though the others stand for nothing yet: beside a center of zero a ray from the plane
+                // y = 0 has a subnormal distance, and products of those take a hundred times as long
+                let center = center.map(|x| [x; FOUR]);
+                blocks.push(Spheres { center, r: [r; FOUR], parts: [part; FOUR], count: 0 });
             }
             if let Some(block) = blocks.last_mut() {
                 let lane = block.count;
