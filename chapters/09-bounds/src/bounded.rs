@@ -41,8 +41,8 @@ enum Bounds<R: Real> {
     Extents(Extents),
     /// Boxes in boxes, around each part.
     Tree { tree: Tree, parts: Vec<usize> },
-    /// The same, eight at a time.
-    Wide { wide: Wide, parts: Vec<usize> },
+    /// The same, eight at a time. It knows the parts themselves.
+    Wide(Wide),
 }
 
 impl<'a, R: Real> Bounded<'a, R> {
@@ -107,7 +107,7 @@ impl<'a, R: Real> Bounded<'a, R> {
             }
             Method::Wide => {
                 let (parts, boxes) = part_boxes();
-                Bounds::Wide { wide: Wide::build(&boxes), parts }
+                Bounds::Wide(Wide::build(&boxes).naming(&parts))
             }
         };
         let trial = Trial::of(formulas, &parts);
@@ -287,10 +287,10 @@ impl<'a, R: Real> Bounded<'a, R> {
                     };
                 }
             }
-            Bounds::Wide { wide, parts } => {
+            Bounds::Wide(wide) => {
                 try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                 if !(ANY && nearest.index.is_some()) {
-                    let test = |at: usize, _| tried.on(parts[at]);
+                    let test = |part: usize, _| tried.on(part);
                     match ANY {
                         true => wide.first_found(ray, nearest.span, counts, test),
                         false => wide.closest(ray, nearest.span, counts, test),

@@ -14,18 +14,18 @@ use crate::Box3;
 /// that the signature's loop sees.
 #[derive(Debug)]
 pub struct Parts<'a, R: Real> {
-    scene: &'a Scene<R>,
-    /// Each part's object, and its face if the object is a mesh.
-    all: Vec<Part>,
+    all: Vec<Part<'a, R>>,
     /// For each object its parts.
     of_object: Vec<Range<usize>>,
 }
 
 /// One of the things that a ray is tested against.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+#[derive(Clone, Copy, Debug)]
+struct Part<'a, R: Real> {
+    /// Its object's shape, where a search needs nothing else.
+    shape: &'a Shape<R>,
     /// Its object's place in the scene.
-    pub object: u32,
+    object: u32,
     /// Its face's place in the mesh; 0 for an object that is none.
     face: u32,
 }
@@ -37,10 +37,10 @@ impl<'a, R: Real> Parts<'a, R> {
         for (object, it) in scene.objects.iter().enumerate() {
             let first = all.len();
             let faces = if let Shape::Mesh(mesh) = &it.shape { mesh.faces().len() } else { 1 };
-            all.extend((0..faces as u32).map(|face| Part { object: object as u32, face }));
+            all.extend((0..faces as u32).map(|face| Part { shape: &it.shape, object: object as u32, face }));
             of_object.push(first..all.len());
         }
-        Parts { scene, all, of_object }
+        Parts { all, of_object }
     }
 
     /// How many there are.
@@ -61,14 +61,14 @@ impl<'a, R: Real> Parts<'a, R> {
     /// The shape of a part's object.
     #[inline(always)]
     pub fn shape(&self, part: usize) -> &'a Shape<R> {
-        &self.scene.objects[self.object(part)].shape
+        self.all[part].shape
     }
 
     /// The face that a part is, of a mesh: its place among the mesh's faces. `None` for an object that is no
     /// mesh.
     pub fn face(&self, part: usize) -> Option<usize> {
-        let Part { object, face } = self.all[part];
-        matches!(self.scene.objects[object as usize].shape, Shape::Mesh(_)).then_some(face as usize)
+        let Part { shape, face, .. } = self.all[part];
+        matches!(shape, Shape::Mesh(_)).then_some(face as usize)
     }
 
     /// The t of the nearest hit of a part in `span`, by the robust method of its chapter, whose verdict is
@@ -81,8 +81,8 @@ impl<'a, R: Real> Parts<'a, R> {
     /// What plain `f64` says of that at a glance, see [`Shape::glance`].
     #[inline(always)]
     pub fn glance(&self, part: usize, ray: &Ray3<R>, line: &Line) -> Glance {
-        let Part { object, face } = self.all[part];
-        match &self.scene.objects[object as usize].shape {
+        let Part { shape, face, .. } = self.all[part];
+        match shape {
             Shape::Mesh(mesh) => triangle::glance(ray, &mesh.triangle(face as usize)),
             shape => shape.glance(ray, line),
         }
@@ -92,8 +92,8 @@ impl<'a, R: Real> Parts<'a, R> {
     /// a miss.
     #[inline]
     pub fn whole_hit(&self, method: Method, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<Hit3<R>> {
-        let Part { object, face } = self.all[part];
-        match &self.scene.objects[object as usize].shape {
+        let Part { shape, face, .. } = self.all[part];
+        match shape {
             Shape::Mesh(mesh) => {
                 let triangle = mesh.triangle(face as usize);
                 let hit = match method {
@@ -109,8 +109,8 @@ impl<'a, R: Real> Parts<'a, R> {
 
     /// A box around a part; `None` for a plane, which has none.
     pub fn bounds(&self, part: usize) -> Option<Box3> {
-        let Part { object, face } = self.all[part];
-        match &self.scene.objects[object as usize].shape {
+        let Part { shape, face, .. } = self.all[part];
+        match shape {
             Shape::Mesh(mesh) => Some(Box3::around::<R>(mesh.triangle(face as usize).corners())),
             shape => box_of(shape),
         }

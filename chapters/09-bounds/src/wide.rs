@@ -63,6 +63,15 @@ impl Wide {
         Wide { version: Version::of(instructions), ..self }
     }
 
+    /// The same tree, in which each object goes by the name of its place in `names`, which must ascend: of two at the same t
+    /// the earlier one still wins. A search then has nothing to look up.
+    pub(crate) fn naming(mut self, names: &[usize]) -> Wide {
+        for name in &mut self.order {
+            *name = names[*name as usize] as u32;
+        }
+        self
+    }
+
     /// The object with the smallest t in `span`, and that t: see [`Tree::closest`].
     #[inline]
     pub fn closest<R: Real>(
