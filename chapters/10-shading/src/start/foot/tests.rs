@@ -196,7 +196,7 @@ fn no_triangle_is_farther_from_its_foot_than_is_said() {
     triangles::<f64>(Precision::F64);
 }
 
-/// By hand: a landing a whole unit above the plane y = 0 is put on it, and a ray starts by the smallest numbers above.
+/// By hand: a landing a whole unit above the plane y = 0 is put on it, and a ray starts a very little above.
 #[test]
 fn a_foot_on_the_ground() {
     let ground =
@@ -207,8 +207,8 @@ fn a_foot_on_the_ground() {
         Landing { object: 0, part: 0, lambda: 1.0, point, face_normal: up, normal: up, alpha_beta: None };
     let foot = of(Method::Robust, &ground, None, &landing);
     assert_eq!((foot.point, foot.normal), ([7.0, 0.0, -2.0], [0.0, 1.0, 0.0]));
-    // what the product (p̄ − p̄1)·n⃗ = 1 may be off, 8u + 16u, and the four smallest numbers
-    assert_eq!((foot.error, foot.rounding), (24.0 * unit(53), 4.0 * f64::from_bits(1)));
+    // what the product (p̄ − p̄1)·n⃗ = 1 may be off, 8u + 16u, and 2⁻²¹² of 7 + 2
+    assert_eq!((foot.error, foot.rounding), (24.0 * unit(53), 9.0 * 2.0_f64.powi(-212)));
     // from a landing that knows nothing better there is still an origin
     let far = Landing { point: vector::<f64>([0.0, 1e300, 0.0]), ..landing };
     let lost = of(Method::Robust, &Shape::Sphere(Sphere { center: far.point, radius: 1e308 }), None, &far);
