@@ -19,8 +19,8 @@ use crate::{
 pub struct Bounded<'a, R: Real> {
     scene: &'a Scene<R>,
     parts: Parts<'a, R>,
-    /// The parts of objects that nothing bounds: planes. They are tried first, and what is nearer than their hit is all that
-    /// is looked for then.
+    /// The parts of objects that nothing bounds: planes. They are tried first, and what is nearer than their
+    /// hit is all that is looked for then.
     unbounded: Vec<usize>,
     bounds: Bounds<R>,
     trial: Trial,
@@ -53,10 +53,11 @@ impl<'a, R: Real> Bounded<'a, R> {
 
     /// The same for shapes that are met by one or the other formulas.
     ///
-    /// The notes' may say of a ray that it hits what it passes by, and a bound that is not met would hide that. So that
-    /// what is seen does not depend on the bounds, such a hit counts only where the ray is in the part's own box: see
-    /// [`mod@crate::trial`]. A sphere around a box, or the pixels in which it is seen, are asked for by other roundings than
-    /// a box is: by the notes' formulas [`Method::Sphere`] and [`Method::Extents`] bound nothing.
+    /// The notes' may say of a ray that it hits what it passes by, and a bound that is not met would hide
+    /// that. So that what is seen does not depend on the bounds, such a hit counts only where the ray is in
+    /// the part's own box: see [`mod@crate::trial`]. A sphere around a box, or the pixels in which it is
+    /// seen, are asked for by other roundings than a box is: by the notes' formulas [`Method::Sphere`] and
+    /// [`Method::Extents`] bound nothing.
     pub fn by(formulas: Formulas, scene: &'a Scene<R>, method: Method) -> Bounded<'a, R> {
         let parts = Parts::of(scene);
         let objects = 0..scene.objects.len();
@@ -77,7 +78,8 @@ impl<'a, R: Real> Bounded<'a, R> {
         };
         let bounds = match method {
             Method::None | Method::Auto => {
-                // a ray that surely misses a sphere may hit it by the notes' formulas: those are asked one by one
+                // a ray that surely misses a sphere may hit it by the notes' formulas: those are asked one by
+                // one
                 let sphere = |part| match (formulas, parts.shape(part)) {
                     (Formulas::Robust, Shape::Sphere(sphere)) => Some(*sphere),
                     _ => None,
@@ -114,8 +116,9 @@ impl<'a, R: Real> Bounded<'a, R> {
         Bounded { scene, parts, unbounded, bounds, trial, carried: None }
     }
 
-    /// The same for a program in which any object may be deformed: each ray is carried into a space of each part's own, before
-    /// it is tried on it, though the matrix is the identity. What is seen is the same. For who wants to know what that costs.
+    /// The same for a program in which any object may be deformed: each ray is carried into a space of each
+    /// part's own, before it is tried on it, though the matrix is the identity. What is seen is the same. For
+    /// who wants to know what that costs.
     pub fn carrying(self) -> Bounded<'a, R> {
         let identity =
             Affine { a: Matrix3::identity(), t: R::vec3(R::from(0.0), R::from(0.0), R::from(0.0)) };
@@ -144,8 +147,9 @@ impl<'a, R: Real> Bounded<'a, R> {
         self.first(&query, Some(pixel), counts).map(|first| self.object(first))
     }
 
-    /// What any ray hits first in `span`, which must not begin below 0: the same as [`fn@signature::first_hit`] by the
-    /// robust methods. The ray must be a ray. Extents help rays of the eye only.
+    /// What any ray hits first in `span`, which must not begin below 0: the same as
+    /// [`fn@signature::first_hit`] by the robust methods. The ray must be a ray. Extents help rays of the eye
+    /// only.
     #[inline]
     pub fn first_hit(&self, ray: &Ray3<R>, span: Span<R>, counts: &mut impl Tally) -> Option<First<R>> {
         let query = Query::new(*ray, span);
@@ -165,7 +169,8 @@ impl<'a, R: Real> Bounded<'a, R> {
         Some(Found { part, lambda })
     }
 
-    /// Where the ray hits what was found for it: λ, the point and the normal. λ is worked out once, for this part.
+    /// Where the ray hits what was found for it: λ, the point and the normal. λ is worked out once, for this
+    /// part.
     #[inline]
     pub fn hit_of(&self, query: &Query<R>, found: Found<R>) -> Option<Hit3<R>> {
         let Found { part, lambda } = found;
@@ -180,8 +185,8 @@ impl<'a, R: Real> Bounded<'a, R> {
         }
     }
 
-    /// Some part that is hit, `None` where nothing is: the search ends with the first that it finds. Which one that is
-    /// depends on the bounds.
+    /// Some part that is hit, `None` where nothing is: the search ends with the first that it finds. Which
+    /// one that is depends on the bounds.
     #[inline]
     pub fn any_part(&self, query: &Query<R>, counts: &mut impl Tally) -> Option<usize> {
         self.search::<true>(query, None, counts).map(|(part, _)| part)
@@ -247,8 +252,8 @@ impl<'a, R: Real> Bounded<'a, R> {
                 try_all::<R, ANY>(self.unbounded.iter().copied(), tried, &mut nearest, counts);
                 let reach = Reach::of(*span);
                 for (object, sphere) in spheres {
-                    // "only test intersections with objects if there exists a positive intersection with the bounding
-                    // volume"
+                    // "only test intersections with objects if there exists a positive intersection with the
+                    // bounding volume"
                     counts.boxes(1);
                     if !sphere.as_ref().is_some_and(|sphere| passes(ray, sphere, reach)) {
                         try_all::<R, ANY>(self.parts.of_object(*object), tried, &mut nearest, counts);
@@ -304,8 +309,9 @@ impl<'a, R: Real> Bounded<'a, R> {
 
 /// Whether a ray is nowhere in a sphere within `reach`.
 ///
-/// The page asks for a positive intersection with the sphere itself. Where a ray ends too, as one to a light does, all
-/// of it may be inside, and meet the sphere on neither side: so it is the stretch between the two that is asked for.
+/// The page asks for a positive intersection with the sphere itself. Where a ray ends too, as one to a light
+/// does, all of it may be inside, and meet the sphere on neither side: so it is the stretch between the two
+/// that is asked for.
 fn passes<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, reach: Reach) -> bool {
     let rounded = |t: R| Into::<f64>::into(t) as f32;
     let roots = robust(ray, sphere).roots();
@@ -317,7 +323,8 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// By hand: from the middle of a sphere of radius 2 the ray leaves it at λ = 2; a light at λ = 1 is before that.
+    /// By hand: from the middle of a sphere of radius 2 the ray leaves it at λ = 2; a light at λ = 1 is
+    /// before that.
     #[test]
     fn as_printed_a_ray_within_the_volume_is_not_tested() {
         let volume = Sphere { center: DVec3::ZERO, radius: 2.0 };

@@ -154,7 +154,8 @@ impl Reach {
         let (relative, absolute): (f64, f64) = (Reach::ULPS * digit, Reach::ULPS * R::SMALLEST.into());
         let (min, max): (f64, f64) = (span.min.into(), span.max.into());
         let widened = |t: f64, sign: f64| (t * (1.0 + sign * relative) + sign * absolute) as f32;
-        // a second ray begins at the smallest number, and products of subnormal numbers take a hundred times as long
+        // a second ray begins at the smallest number, and products of subnormal numbers take a hundred times
+        // as long
         let min = if min > absolute { widened(min, -1.0).max(0.0) + 0.0 } else { 0.0 };
         Reach { min, max: widened(max, 1.0) }
     }

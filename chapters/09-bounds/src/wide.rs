@@ -63,8 +63,8 @@ impl Wide {
         Wide { version: Version::of(instructions), ..self }
     }
 
-    /// The same tree, in which each object goes by the name of its place in `names`, which must ascend: of two at the same t
-    /// the earlier one still wins. A search then has nothing to look up.
+    /// The same tree, in which each object goes by the name of its place in `names`, which must ascend: of
+    /// two at the same t the earlier one still wins. A search then has nothing to look up.
     pub(crate) fn naming(mut self, names: &[usize]) -> Wide {
         for name in &mut self.order {
             *name = names[*name as usize] as u32;

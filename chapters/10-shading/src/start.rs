@@ -1,18 +1,20 @@
 //! Where a second ray starts.
 //!
-//! The page sends it from p̄ and takes what it meets at λ > 0 (0 ≤ λ in the text, slip 16). On paper p̄ is on the surface,
-//! and λ > 0 leaves the surface out. But p̄ is rounded: half of all points lie behind their surface, and from there it
-//! is met again, a moment later. The surface shades itself, in specks: acne. Step too far away from it, and what stands
-//! close by is stepped over: a light leak.
+//! The page sends it from p̄ and takes what it meets at λ > 0 (0 ≤ λ in the text, slip 16). On paper p̄ is on
+//! the surface, and λ > 0 leaves the surface out. But p̄ is rounded: half of all points lie behind their
+//! surface, and from there it is met again, a moment later. The surface shades itself, in specks: acne. Step
+//! too far away from it, and what stands close by is stepped over: a light leak.
 //!
 //! - [`Start::None`]: the page. From p̄, λ > 0.
-//! - [`Start::Fixed`]: from p̄, and what is nearer than 1e-3 does not count. In a scene of that size nothing does; and in a
-//!   large one the error of p̄ is larger.
+//! - [`Start::Fixed`]: from p̄, and what is nearer than 1e-3 does not count. In a scene of that size nothing
+//!   does; and in a large one the error of p̄ is larger.
 //! - [`Start::Scaled`]: from p̄, and what is nearer than the rounding of its coordinates does not count. That
 //!   knows where p̄ is, not how p̄ came about, nor that a ray along the surface gets away from it slowly.
-//! - [`Start::Bound`]: p̄ is put back on the surface, as well as its numbers allow ([`mod@foot`]); how far it may still be
-//!   off follows from the shape. By so much along the normal, to the side where the ray goes, and it starts outside.
-//! - [`Start::Exclude`]: from p̄, and what it is on does not count, however far. But a ray within a sphere has to meet it.
+//! - [`Start::Bound`]: p̄ is put back on the surface, as well as its numbers allow ([`mod@foot`]); how far it
+//!   may still be off follows from the shape. By so much along the normal, to the side where the ray goes,
+//!   and it starts outside.
+//! - [`Start::Exclude`]: from p̄, and what it is on does not count, however far. But a ray within a sphere
+//!   has to meet it.
 
 pub mod foot;
 
@@ -56,8 +58,8 @@ impl Start {
 /// The customary offset, in units of the scene, whatever those are.
 pub const CUSTOMARY: f64 = 1e-3;
 
-/// Where the rays start that leave one point. Of two, the first is for those that leave to the side of the face's normal,
-/// the second for the others.
+/// Where the rays start that leave one point. Of two, the first is for those that leave to the side of the
+/// face's normal, the second for the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts<R: Real> {
     /// Their origins.
@@ -72,9 +74,9 @@ pub struct Starts<R: Real> {
 
 /// What rays need not be tried on that leave `part`, to one side and to the other.
 ///
-/// A ray that starts outside of something convex and goes away from it does not come back: there is nothing to try. Of
-/// what stands here, everything is convex, or inside of something convex that it touches there (NFF's open cone, which is
-/// met again from within only). What is flat has no inside.
+/// A ray that starts outside of something convex and goes away from it does not come back: there is nothing
+/// to try. Of what stands here, everything is convex, or inside of something convex that it touches there
+/// (NFF's open cone, which is met again from within only). What is flat has no inside.
 pub fn spared<R: Real>(shape: &Shape<R>, part: usize) -> [Leaves; 2] {
     match shape {
         Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) | Shape::Mesh(_) => {
@@ -122,8 +124,9 @@ impl<R: Real> Starts<R> {
 
     /// A ray to a light, which is at λ = 1; `to_light` is the direction in which to leave.
     ///
-    /// The light itself does not count, nor a surface that it lies on: λ ends below 1 by what λ may be off there, which
-    /// is [`bounds::Reach::ULPS`] units of its last digit, the rounding of the direction among them.
+    /// The light itself does not count, nor a surface that it lies on: λ ends below 1 by what λ may be off
+    /// there, which is [`bounds::Reach::ULPS`] units of its last digit, the rounding of the direction among
+    /// them.
     #[inline(always)]
     pub fn to(&self, light: R::Vec3, to_light: R::Vec3) -> Query<R> {
         let digit = 1.0 / (1u64 << R::DIGITS) as f64;
@@ -164,7 +167,8 @@ impl<R: Real> Starts<R> {
     }
 }
 
-/// 2 ε (|x| + |y| + |z|), a unit of the last digit of each coordinate twice: once for p̄, once for the ray from it.
+/// 2 ε (|x| + |y| + |z|), a unit of the last digit of each coordinate twice: once for p̄, once for the ray
+/// from it.
 fn last_digits<R: Real>(p: R::Vec3) -> R {
     let digit = 1.0 / (1u64 << (R::DIGITS - 1)) as f64;
     let size: f64 = p.in_f64::<3>().into_iter().map(f64::abs).sum();

@@ -116,8 +116,8 @@ impl<'a, R: Real> Tracer<'a, R> {
         e
     }
 
-    /// What an object returns wherever it is hit, if nothing depends on where: it has no texture, answers no light, and
-    /// sends no ray on.
+    /// What an object returns wherever it is hit, if nothing depends on where: it has no texture, answers no
+    /// light, and sends no ray on.
     #[inline(always)]
     fn one_color(&self, object: usize, depth: u32) -> Option<Rgb> {
         let lit = &self.scene.lit;
@@ -230,8 +230,8 @@ impl<'a, R: Real> Tracer<'a, R> {
         solid.map_or(1.0, |solid| self.scene.optics_of(solid).ior)
     }
 
-    /// rayTrace(p̄, …, depth + 1), scaled by its coefficient; or nothing, where all that it could bring is within what may be
-    /// left out.
+    /// rayTrace(p̄, …, depth + 1), scaled by its coefficient; or nothing, where all that it could bring is
+    /// within what may be left out.
     #[inline]
     #[expect(
         clippy::too_many_arguments,

@@ -1,7 +1,7 @@
 //! Four spheres side by side, as columns: which of them may a ray meet?
 //!
-//! Where there are few objects a tree is not worth it, and every ray is tried on all of them. Most are spheres that it
-//! misses by far, and chapter 04's glance sees that of four at once.
+//! Where there are few objects a tree is not worth it, and every ray is tried on all of them. Most are
+//! spheres that it misses by far, and chapter 04's glance sees that of four at once.
 
 use math::{Glance, Real, Vector};
 use ray_sphere::Sphere;
@@ -44,8 +44,9 @@ impl Spheres {
                 continue;
             };
             if blocks.last().is_none_or(|block| block.count == FOUR) {
-                // in every lane, though the others stand for nothing yet: beside a center of zero a ray from the plane
-                // y = 0 has a subnormal distance, and products of those take a hundred times as long
+                // in every lane, though the others stand for nothing yet: beside a center of zero a ray from
+                // the plane y = 0 has a subnormal distance, and products of those take a hundred times as
+                // long
                 let center = center.map(|x| [x; FOUR]);
                 blocks.push(Spheres { center, r: [r; FOUR], parts: [part; FOUR], count: 0 });
             }

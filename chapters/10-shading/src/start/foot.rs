@@ -1,20 +1,21 @@
 //! p̄ put back on its surface, and how far it may still be off.
 //!
-//! p̄ = ā + λ d⃗ is off by what λ is off along the ray, and by its own rounding: the farther away the eye, the more. Put
-//! back on the surface ([`mod@put`]) it is off by the roundings of that step alone, which depend on the numbers of the
-//! shape: on c⃗ and r of a sphere, on how large the coordinates are along n⃗. All of it is worked out in `f64`, for rays of
-//! `f32` too, where then only the last rounding counts.
+//! p̄ = ā + λ d⃗ is off by what λ is off along the ray, and by its own rounding: the farther away the eye,
+//! the more. Put back on the surface ([`mod@put`]) it is off by the roundings of that step alone, which
+//! depend on the numbers of the shape: on c⃗ and r of a sphere, on how large the coordinates are along n⃗.
+//! All of it is worked out in `f64`, for rays of `f32` too, where then only the last rounding counts.
 //!
-//! Why along n⃗: a convex shape lies behind each plane that touches it. A ray that starts before that plane and does not
-//! go toward it never meets the shape, wherever else rounding has moved its origin. So nothing but the height above the
-//! tangent plane matters, and that height is what [`Foot::error`] and [`Foot::rounding`] bound. A ray into a sphere starts
-//! within it if it also starts below where the sphere is by then: that is [`Foot::bend`].
+//! Why along n⃗: a convex shape lies behind each plane that touches it. A ray that starts before that plane
+//! and does not go toward it never meets the shape, wherever else rounding has moved its origin. So nothing
+//! but the height above the tangent plane matters, and that height is what [`Foot::error`] and
+//! [`Foot::rounding`] bound. A ray into a sphere starts within it if it also starts below where the sphere is
+//! by then: that is [`Foot::bend`].
 //!
-//! In what follows u is half a unit of the last digit, the error of one operation. Each bound counts the roundings on the way
-//! and takes the next power of two of them. The notes' formulas are in the precision of the ray, and what they can still
-//! tell apart from zero is no less than as many u of that precision: for them u is that one. Nothing more is promised of them:
-//! at `f32` a few rays by the notes' formulas still meet what they leave, the more of them the flatter it was squashed, as A⁻¹
-//! is rounded.
+//! In what follows u is half a unit of the last digit, the error of one operation. Each bound counts the
+//! roundings on the way and takes the next power of two of them. The notes' formulas are in the precision of
+//! the ray, and what they can still tell apart from zero is no less than as many u of that precision: for
+//! them u is that one. Nothing more is promised of them: at `f32` a few rays by the notes' formulas still
+//! meet what they leave, the more of them the flatter it was squashed, as A⁻¹ is rounded.
 
 pub mod put;
 
@@ -34,24 +35,25 @@ pub struct Foot<R: Real> {
     pub normal: [f64; 3],
     /// How far from the surface the point is at most.
     pub error: f64,
-    /// What it will cost along the normal to round the point to R: u (|n_x p_x| + |n_y p_y| + |n_z p_z|), and for what is
-    /// below the smallest number that one, four times: of a product, of two sums, and of the point. On the plane y = 0 that
-    /// would be all, and a ray start at a subnormal y, with which processors take a hundred times as long. So 2⁻²¹²
-    /// (|p_x| + |p_y| + |p_z|) is added, of which nothing is left beside anything else.
+    /// What it will cost along the normal to round the point to R: u (|n_x p_x| + |n_y p_y| + |n_z p_z|), and
+    /// for what is below the smallest number that one, four times: of a product, of two sums, and of the
+    /// point. On the plane y = 0 that would be all, and a ray start at a subnormal y, with which processors
+    /// take a hundred times as long. So 2⁻²¹² (|p_x| + |p_y| + |p_z|) is added, of which nothing is left
+    /// beside anything else.
     pub rounding: f64,
-    /// How much lower a sphere may be where that puts the point: see `bend` below. 0 for the other shapes, which every ray that
-    /// starts below their surface is tried on.
+    /// How much lower a sphere may be where that puts the point: see `bend` below. 0 for the other shapes,
+    /// which every ray that starts below their surface is tried on.
     pub bend: f64,
     precision: std::marker::PhantomData<R>,
 }
 
 impl<R: Real> Foot<R> {
-    /// How far along the normal a ray starts: the error and the rounding, so that it starts outside even if both are
-    /// against it.
+    /// How far along the normal a ray starts: the error and the rounding, so that it starts outside even if
+    /// both are against it.
     ///
-    /// The offset is rounded too. With δ for it, the origin is q̄ + δ n⃗ in `f64`, then in R: along n⃗ that is off by
-    /// `rounding`, by u δ for the product, twice u δ for the sum in which δ n⃗ is now, and ‖n⃗‖ is off 1 by 4u. What is
-    /// left of δ is more than δ (1 − 8u), and 1 / (1 − 8u) < 1 + 16u.
+    /// The offset is rounded too. With δ for it, the origin is q̄ + δ n⃗ in `f64`, then in R: along n⃗ that
+    /// is off by `rounding`, by u δ for the product, twice u δ for the sum in which δ n⃗ is now, and ‖n⃗‖ is
+    /// off 1 by 4u. What is left of δ is more than δ (1 − 8u), and 1 / (1 − 8u) < 1 + 16u.
     #[inline(always)]
     pub fn offset(&self) -> f64 {
         (self.error + self.rounding) * (1.0 + 16.0 * unit(R::DIGITS))
@@ -80,9 +82,9 @@ pub(crate) const fn unit(digits: u32) -> f64 {
     1.0 / (1u64 << digits) as f64
 }
 
-/// How much lower than its tangent plane a sphere may be at an origin. Rounded to R, that is off along the surface by
-/// w = u (|x| + |y| + |z|) at most, and there the sphere is lower by r − √(r² − w²), which is less than w²/r. (Where w is more
-/// than r there may be no number within.)
+/// How much lower than its tangent plane a sphere may be at an origin. Rounded to R, that is off along the
+/// surface by w = u (|x| + |y| + |z|) at most, and there the sphere is lower by r − √(r² − w²), which is less
+/// than w²/r. (Where w is more than r there may be no number within.)
 #[inline(always)]
 fn bend<R: Real>([x, y, z]: [f64; 3], r: f64) -> f64 {
     let w = unit(R::DIGITS) * (x.abs() + y.abs() + z.abs());
@@ -91,8 +93,8 @@ fn bend<R: Real>([x, y, z]: [f64; 3], r: f64) -> f64 {
 
 /// The foot of a landing on a shape; `face` is the face of a mesh. The landing's point must be finite.
 ///
-/// Where the numbers are so large or so small that their squares are none, nothing is known of the surface but p̄ itself:
-/// then that is the point, with the landing's normal, and an error of its rounding alone.
+/// Where the numbers are so large or so small that their squares are none, nothing is known of the surface
+/// but p̄ itself: then that is the point, with the landing's normal, and an error of its rounding alone.
 #[inline]
 pub fn of<R: Real>(formulas: Method, shape: &Shape<R>, face: Option<usize>, landing: &Landing<R>) -> Foot<R> {
     let u = match formulas {

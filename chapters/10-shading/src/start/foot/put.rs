@@ -1,7 +1,7 @@
 //! Onto each shape.
 //!
-//! What is said of an error is without the last rounding of the point's coordinates, which is the same for all shapes and
-//! added by [`super::of`].
+//! What is said of an error is without the last rounding of the point's coordinates, which is the same for
+//! all shapes and added by [`super::of`].
 
 use affine::{Deformed, Matrix3};
 use math::plain::dot;
@@ -65,8 +65,9 @@ impl Put {
 
 /// p̄ − ((p̄ − p̄1)·n⃗) n⃗ with n⃗ at unit length.
 ///
-/// A part of the product (p̄ − p̄1)·n⃗ is rounded four times, and a component of n⃗ twice: when the largest is made 1, and then
-/// the length, which is off 1 by 4u. That, twice, and three more roundings are in the step of k along n⃗.
+/// A part of the product (p̄ − p̄1)·n⃗ is rounded four times, and a component of n⃗ twice: when the largest
+/// is made 1, and then the length, which is off 1 by 4u. That, twice, and three more roundings are in the
+/// step of k along n⃗.
 #[inline(always)]
 fn on_plane(u: f64, p: [f64; 3], p_1: [f64; 3], n: [f64; 3]) -> Put {
     let largest = n.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -78,10 +79,11 @@ fn on_plane(u: f64, p: [f64; 3], p_1: [f64; 3], n: [f64; 3]) -> Put {
     Put { point, normal, error: u * (8.0 * (x + y + z) + 16.0 * k.abs()) }
 }
 
-/// The plane through p̄1 with n⃗ = (p̄2 − p̄1) × (p̄3 − p̄1), whose parts are rounded four times: by so much the plane itself is
-/// tilted, about p̄1. Twice that is taken, for n⃗ may have come out shorter than it is.
+/// The plane through p̄1 with n⃗ = (p̄2 − p̄1) × (p̄3 − p̄1), whose parts are rounded four times: by so much
+/// the plane itself is tilted, about p̄1. Twice that is taken, for n⃗ may have come out shorter than it is.
 ///
-/// A sliver of which n⃗ is not more than this rounding, of a height below 1e-15 of its length, has no normal to speak of.
+/// A sliver of which n⃗ is not more than this rounding, of a height below 1e-15 of its length, has no normal
+/// to speak of.
 #[inline(always)]
 fn on_triangle(u: f64, p: [f64; 3], [p_1, p_2, p_3]: [[f64; 3]; 3]) -> Put {
     let from_p_1 = |q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| q[axis] - p_1[axis]) };
@@ -95,8 +97,8 @@ fn on_triangle(u: f64, p: [f64; 3], [p_1, p_2, p_3]: [[f64; 3]; 3]) -> Put {
     Put { error: put.error + 8.0 * u * tilt / length, ..put }
 }
 
-/// On a cap its height is the cap's; on the wall its distance from the axis is the wall's there, off by five roundings.
-/// And a normal there, of any length.
+/// On a cap its height is the cap's; on the wall its distance from the axis is the wall's there, off by five
+/// roundings. And a normal there, of any length.
 #[inline(always)]
 fn on_unit(solid: quadric::Shape, n: [f64; 3], [x, y, z]: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let is_cap = n[0] == 0.0 && n[1] == 0.0;
@@ -117,9 +119,9 @@ fn on_unit(solid: quadric::Shape, n: [f64; 3], [x, y, z]: [f64; 3]) -> ([f64; 3]
     ([x * k, y * k, z], [x / from_axis, y / from_axis, rise])
 }
 
-/// With w⃗ = p̄ − b̄, split along the axis and away from it: what is away from it is given the wall's radius there. It is
-/// not quite at right angles to the axis, by 15u ‖w⃗‖, and k times that is how much the height is off for which the radius is;
-/// the radius itself is off by five roundings.
+/// With w⃗ = p̄ − b̄, split along the axis and away from it: what is away from it is given the wall's radius
+/// there. It is not quite at right angles to the axis, by 15u ‖w⃗‖, and k times that is how much the height
+/// is off for which the radius is; the radius itself is off by five roundings.
 fn on_open_cone<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], cone: &OpenCone<R>) -> Put {
     let [base, apex] = [cone.base, cone.apex].map(Vector::in_f64::<3>);
     let [r_b, r_a]: [f64; 2] = [cone.base_radius, cone.apex_radius].map(Into::into);
@@ -140,8 +142,8 @@ fn on_open_cone<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], cone: &OpenCone<R>) -
     Put { point, normal, error }
 }
 
-/// In the object's own space, and back: A x̄ + t. Where x̄ is off along the surface it is still on it; off the surface it is
-/// by five roundings, and each part of A x̄ + t by three more.
+/// In the object's own space, and back: A x̄ + t. Where x̄ is off along the surface it is still on it; off
+/// the surface it is by five roundings, and each part of A x̄ + t by three more.
 fn on_deformed<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], deformed: &Deformed<R>) -> Put {
     let a = Matrix3::<f64> { columns: deformed.affine.a.columns.map(|column| column.in_f64::<3>().into()) };
     let t: [f64; 3] = deformed.affine.t.in_f64();
@@ -165,7 +167,8 @@ fn on_deformed<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], deformed: &Deformed<R>
         (x, unit_length(columns.map(|column| dot(column, own_n))))
     };
     let (x, normal) = match put(x) {
-        // p̄ is so coarse for this solid that it is on its other side, or in its middle: n⃗ tells better where it is
+        // p̄ is so coarse for this solid that it is on its other side, or in its middle: n⃗ tells better
+        // where it is
         (_, normal) if !deformed.object.is_flat() && dot(normal, n) <= 0.0 => {
             let height = if deformed.object == affine::Object::Sphere { own_n[2] } else { x[2] };
             put([own_n[0], own_n[1], height])
@@ -181,8 +184,8 @@ fn on_deformed<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], deformed: &Deformed<R>
     Put { point, normal, error: 8.0 * u * (x + y + z) }
 }
 
-/// Of a normal that was carried to and fro: what of it is left across the axis is rounding on a cap. A wall's normal has at
-/// least as much across the axis as a cone's, 2 parts to 1 along it.
+/// Of a normal that was carried to and fro: what of it is left across the axis is rounding on a cap. A wall's
+/// normal has at least as much across the axis as a cone's, 2 parts to 1 along it.
 fn cap_or_wall([x, y, z]: [f64; 3]) -> [f64; 3] {
     if x.abs() + y.abs() < z.abs() { [0.0, 0.0, z] } else { [x, y, z] }
 }
