@@ -30,8 +30,8 @@ pub fn judge<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> V
     Verdict { right, wrong, mistake, earned }
 }
 
-/// The known mistake that explains the answers: what is right is right with the mistake too, and in every case that is
-/// wrong the first wrong value is the one that the mistake leads to, in the same place.
+/// The known mistake that explains the answers: what is right is right with the mistake too, and in every
+/// case that is wrong the first wrong value is the one that the mistake leads to, in the same place.
 fn recognize<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> Option<&'a Known> {
     exercise.mistakes.iter().find(|known| {
         let mistaken = mistaken(exercise, known);
@@ -43,7 +43,7 @@ fn recognize<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> O
                 (Some(wrong), Some(made)) if wrong.step == made.step => (wrong, made),
                 _ => return false,
             };
-            let symbol = answers[row].steps.0.get(wrong.step).map(|step| &step.symbol);
+            let symbol = answers.get(row).and_then(|it| it.steps.0.get(wrong.step)).map(|step| &step.symbol);
             match (mistaken.rows[row].steps.0.get(made.step), wrong.got) {
                 (Some(made), Some(got)) => {
                     Some(&made.symbol) == symbol && made.value.is_met_by(&got, &made.tolerance)
@@ -61,4 +61,28 @@ fn mistaken(exercise: &Exercise, known: &Known) -> Sheet {
 
 fn wrong_step(sheet: &Sheet, answers: &[Answer], row: usize) -> Option<Wrong> {
     first_wrong_step(&sheet.rows[row].steps, answers.get(row).unwrap_or(&Answer::default()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Catalog, answers};
+
+    /// A row without an answer is wrong, and says nothing of a mistake; the rows before it do.
+    #[test]
+    fn answers_may_be_too_few() {
+        let catalog = Catalog::read().unwrap();
+        let exercise = &catalog.exercises[0];
+        let sheet = exercise.sheet();
+        let right = answers(&sheet, exercise.reference);
+        for known in &exercise.mistakes {
+            let wrong = answers(&sheet, known.probe);
+            assert_eq!(judge(exercise, &sheet, &wrong).mistake.map(|it| &it.name), Some(&known.name));
+            for count in 0..right.len() {
+                let verdict = judge(exercise, &sheet, &wrong[..count]);
+                assert!(verdict.wrong.is_some() && verdict.mistake.is_none(), "{count} answers");
+            }
+        }
+        assert_eq!(judge(exercise, &sheet, &right).earned, exercise.points());
+    }
 }
