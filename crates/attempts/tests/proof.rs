@@ -1,5 +1,6 @@
-//! Every exercise is proved: the reference passes, what is right in other algebra is accused of nothing, every listed mistake
-//! fails and is called by its name, and an untouched hand-out fails exactly what it asks for.
+//! Every exercise is proved: the reference passes, what is right in other algebra is accused of nothing,
+//! every listed mistake fails and is called by its name, and an untouched hand-out fails exactly what it asks
+//! for.
 
 use attempts::Kind;
 use exercise::first_wrong;
@@ -61,6 +62,12 @@ fn each_mistake_is_called_by_its_name() {
             });
             assert!(count.count() >= 2, "{name}: {} is written again less than twice", known.name);
         }
+        let sheet = exercise.sheet();
+        for known in &exercise.mistakes {
+            let verdict = judge(exercise, &sheet, &answers(&sheet, known.probe));
+            let named = verdict.mistake.map(|known| known.name.as_str());
+            assert_eq!(named, Some(known.name.as_str()), "{name}, the model itself: {:#?}", verdict.wrong);
+        }
         each(
             exercise,
             |kind| matches!(kind, Kind::Wrong(..)),
@@ -96,7 +103,8 @@ fn the_models_differ_from_each_other_and_from_the_reference() {
     }
 }
 
-/// It panics with a question in every case that comes to a hole, and it passes no property of which it asks something.
+/// It panics with a question in every case that comes to a hole, and it passes no property of which it asks
+/// something.
 #[test]
 fn the_untouched_hand_out_fails_where_it_asks() {
     for exercise in &catalog().exercises {
