@@ -2,23 +2,20 @@
 
 use std::path::PathBuf;
 
-use cutter::{Manifest, Source, manifest::Fillings, modules};
+use cutter::{Manifest, Source, manifest::Fillings, modules::Solutions};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let root = PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?).join("../..");
     println!("cargo::rerun-if-changed=../../chapters");
     let source = Source::at(root);
-    let (mut text, mut table) = (String::new(), String::new());
-    for (number, exercise) in Manifest::all(&source)?.iter().enumerate() {
+    let (mut solutions, mut table) = (Solutions::at("attempts"), String::new());
+    for exercise in &Manifest::all(&source)? {
         let name = &exercise.name;
-        let mut count = 0;
         let mut attempt = |fillings: &Fillings, kind: String| -> Result<(), String> {
-            count += 1;
-            let module = format!("e{number}_{count}");
-            let files = exercise.library(&source, fillings)?;
-            let inlined = modules::inline(&files, &format!("attempts::{module}"));
-            text += &inlined.map_err(|error| format!("{name}: {error}"))?;
-            table += &format!("    ({name:?}, Kind::{kind}, {module}::probe::probe),\n");
+            // as a student has it: without what is another exercise's
+            let fillings = exercise.hidden().into_iter().chain(fillings.clone()).collect();
+            let probe = solutions.add(&source, exercise, &fillings)?;
+            table += &format!("    ({name:?}, Kind::{kind}, {probe}),\n");
             Ok(())
         };
         attempt(&exercise.questions(), "Untouched".into())?;
@@ -31,8 +28,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
     }
-    text += &format!("pub(crate) static ALL: &[(&str, crate::Kind, exercise::Probe)] = &[\n{table}];\n");
-    text = format!("use crate::Kind;\n{text}");
+    let text = format!(
+        "use crate::Kind;\n{}pub(crate) static ALL: &[(&str, Kind, exercise::Probe)] = &[\n{table}];\n",
+        solutions.text
+    );
     std::fs::write(PathBuf::from(std::env::var("OUT_DIR")?).join("attempts.rs"), text)?;
     Ok(())
 }

@@ -1,8 +1,9 @@
-//! Attempts at every exercise, as modules of one crate: the untouched hand-out, right solutions in other algebra, and each
-//! known mistake written twice more, independently of the model that it is recognized by. `tests/` judges them all.
+//! Attempts at every exercise, as modules of one crate: the untouched hand-out, right solutions in other
+//! algebra, and each known mistake written twice more, independently of the model that it is recognized by.
+//! `tests/` judges them all.
 
-// What is cut from a chapter is that chapter's own code, linted there; cut out, parts of it stand without use or words, and
-// code after a hole is never reached.
+// What is cut from a chapter is that chapter's own code, linted there; cut out, parts of it stand without use
+// or words, and code after a hole is never reached.
 #[allow(dead_code, missing_docs, unexpected_cfgs, unreachable_pub, unused_imports, clippy::all)]
 #[allow(unreachable_code, unused_assignments, unused_mut, unused_variables)]
 mod attempts {

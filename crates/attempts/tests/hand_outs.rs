@@ -1,5 +1,5 @@
-//! Hand-outs as a student has them: they compile at once, say what to do next, fail their tests where they ask, and pass them with
-//! the reference put in.
+//! Hand-outs as a student has them: they compile at once, say what to do next, fail their tests where they
+//! ask, and pass them with the reference put in.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,8 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Runs cargo in a hand-out. All hand-outs share a folder for what is built: crates from elsewhere are built once.
+/// Runs cargo in a hand-out. All hand-outs share a folder for what is built: crates from elsewhere are built
+/// once.
 fn cargo(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO"))
         .args(arguments)

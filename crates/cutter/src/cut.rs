@@ -16,7 +16,8 @@ pub enum Filling {
     Lines(String),
 }
 
-/// A region: its name, its question, and its lines, from the one after `// exercise` to the one before `// end`.
+/// A region: its name, its question, and its lines, from the one after `// exercise` to that before
+/// `// end`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// `t_close`
@@ -77,7 +78,8 @@ fn mark(line: &str) -> Option<Mark<'_>> {
     (!name.contains(' ')).then_some(Mark::End(name))
 }
 
-/// The text with the named regions filled, and without the marks of any. A region that is not named stays as it is.
+/// The text with the named regions filled, and without the marks of any. A region that is not named stays as
+/// it is.
 pub fn cut(text: &str, fillings: &BTreeMap<String, Filling>) -> Result<String, String> {
     let regions = regions(text)?;
     if let Some(name) = fillings.keys().find(|&name| regions.iter().all(|region| region.name != *name)) {
@@ -125,13 +127,16 @@ fn indented(lines: &str, indent: &str) -> String {
 /// What stands in place of another exercise's region.
 const HIDDEN: &str = "nothing is to be done here: this belongs to another exercise";
 
-/// The region with a question in place of each value: what it binds is bound still, so that the rest compiles.
+/// The region with a question in place of each value: what it binds is bound still, so that the rest
+/// compiles. Where several values share the question they are numbered, "(1 of 3)".
 fn holes(region: &Region, question: &str) -> Result<String, String> {
-    // {:?} would take letters apart from their accents
-    let question = format!("todo!(\"{}\")", question.replace('\\', "\\\\").replace('"', "\\\""));
     let (text, block) = block(region)?;
     let mut lines = String::new();
-    let mut asked = false;
+    let asks = |it: &&syn::Stmt| matches!(it, syn::Stmt::Local(local) if local.init.is_some());
+    let (of, mut asked) = (block.stmts.iter().filter(asks).count(), 0);
+    // {:?} would take letters apart from their accents
+    let question = question.replace('\\', "\\\\").replace('"', "\\\"");
+    let whole = format!("todo!(\"{question}\")");
     let indent = |start: usize| &text[text[..start].rfind('\n').map_or(0, |at| at + 1)..start];
     // after a last expression nothing needs what is bound before it
     let value = block.stmts.last().is_some_and(is_value);
@@ -143,22 +148,25 @@ fn holes(region: &Region, question: &str) -> Result<String, String> {
                 let (whole, value) = (range(local.span()), range(init.expr.span()));
                 // without its comments: they may give the answer away
                 lines += indent(whole.start);
+                asked += 1;
                 lines += &text[whole.start..value.start];
-                lines += &question;
+                lines += &match of {
+                    1 => format!("todo!(\"{question}\")"),
+                    _ => format!("todo!(\"{question} ({asked} of {of})\")"),
+                };
                 lines += &text[value.end..whole.end];
                 lines += "\n";
-                asked = true;
             }
             syn::Stmt::Expr(_, None) if value && place + 1 == block.stmts.len() => {
-                lines += &format!("{}{question}\n", indent(range(statement.span()).start));
-                asked = true;
+                lines += &format!("{}{whole}\n", indent(range(statement.span()).start));
+                asked += 1;
             }
             syn::Stmt::Expr(..) => {}
             _ => return Err(format!("region {}: only `let`s and expressions can be asked for", region.name)),
         }
     }
-    if !asked {
-        lines = format!("{question};\n");
+    if asked == 0 {
+        lines = format!("{whole};\n");
     }
     Ok(lines)
 }
@@ -213,8 +221,8 @@ mod tests {
     #[test]
     fn what_is_bound_is_bound_still_and_comments_are_gone() {
         let text = filled(&[("twice", Filling::Question)]).unwrap();
-        let expected = "fn d(x: f64) -> f64 {\n    let y: f64 = todo!(\"What is twice x?\");\n    \
-                        let Some(z) = todo!(\"What is twice x?\")\n        else { return 0.0 };\n    z - 1.0\n}\n";
+        let expected = "fn d(x: f64) -> f64 {\n    let y: f64 = todo!(\"What is twice x? (1 of 2)\");\n    \
+                        let Some(z) = todo!(\"What is twice x? (2 of 2)\")\n        else { return 0.0 };\n    z - 1.0\n}\n";
         assert_eq!(text, expected);
         let text = filled(&[("less", Filling::Question)]).unwrap();
         assert!(text.contains("    todo!(\"And one less?\")\n}"), "{text}");

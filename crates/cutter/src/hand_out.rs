@@ -1,12 +1,14 @@
 //! What a student gets.
 
 use crate::given::{QUIET, given};
+use crate::manifest::GIVEN;
 use crate::source::Files;
-use crate::{Manifest, Source};
+use crate::{Manifest, Source, operations};
 
 /// The files of a hand-out: a project that stands alone.
 ///
-/// `expected` is the sheet with what it should find in the cases that it is shown, `transcript` the same for reading.
+/// `expected` is the sheet with what it should find in the cases that it is shown, `transcript` the same for
+/// reading.
 pub fn hand_out(
     manifest: &Manifest,
     source: &Source,
@@ -26,7 +28,8 @@ pub fn hand_out(
         files.insert(format!("src/{path}"), text);
     }
     let about = format!(
-        "//! {}: what of the chapter `{}` goes with it. Your part is in {}; this file is written anew when it is checked.\n\n",
+        "//! {}: what of the chapter `{}` goes with it.\n//!\n\
+         //! Your part is in {}; this file is written anew when it is checked.\n\n",
         manifest.name,
         manifest.chapter,
         manifest.asks(source)?.into_iter().map(|(file, _)| file).collect::<Vec<_>>().join(" and ")
@@ -40,7 +43,9 @@ pub fn hand_out(
     files.insert("Cargo.toml".into(), cargo(manifest, &given.dependencies(&manifest.chapter, "given/")));
     files.insert("Cargo.lock".into(), source.read("Cargo.lock")?);
     files.insert(".gitignore".into(), "/target\n".into());
-    files.insert("README.md".into(), readme(manifest, source, transcript)?);
+    let operations = operations::of(manifest, &files[&format!("src/{}", manifest.file)]);
+    files.insert("README.md".into(), readme(manifest, source, &operations, transcript)?);
+    manifest.reword(&mut files, |file| file.starts_with(GIVEN))?;
     Ok(files)
 }
 
@@ -61,7 +66,8 @@ fn cargo(manifest: &Manifest, dependencies: &str) -> String {
     format!(
         "# {}. There is nothing to change here: when it is checked, this file is written anew.\n\
          [package]\nname = \"{}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\nautobins = false\n\n\
-         [[bin]]\nname = \"{}\"\npath = \"src/main.rs\"\n\n[workspace]\n\n[dependencies]\nexercise = {{ path = \"given/exercise\" }}\n{dependencies}\n\
+         [[bin]]\nname = \"{}\"\npath = \"src/main.rs\"\n\n[workspace]\n\n[dependencies]\n\
+         exercise = {{ path = \"given/exercise\" }}\n{dependencies}\n\
          [lints.rust]\n{QUIET}",
         manifest.name, manifest.chapter, manifest.chapter
     )
@@ -83,7 +89,12 @@ fn tests(manifest: &Manifest, library: &str) -> String {
     text
 }
 
-fn readme(manifest: &Manifest, source: &Source, transcript: &str) -> Result<String, String> {
+fn readme(
+    manifest: &Manifest,
+    source: &Source,
+    operations: &str,
+    transcript: &str,
+) -> Result<String, String> {
     let Manifest { title, name, page, minutes, task, predict, properties, .. } = manifest;
     let mut text = format!(
         "# {title}\n\n`{name}` · {page} · about {minutes} minutes\n\n{task}\n\n## Before you start\n\n{}\n\nWrite your \
@@ -97,19 +108,21 @@ fn readme(manifest: &Manifest, source: &Source, transcript: &str) -> Result<Stri
         }
     }
     text += &format!(
-        "\nPut your lines in place of each of these `todo!`s. Helpers of your own may go there, or into modules below.\n\n\
-         ```sh\ncargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
+        "\nPut your lines in place of each of these `todo!`s. Helpers of your own may go there, or into modules \
+         below.\n\n{operations}## See what it does\n\n```sh\n\
+         cargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
          cargo test    # what your code should be right about, one by one\n```\n\n\
-         Whoever also has the workbench can ask it, in its own folder: `cargo run --release -- check THIS_FOLDER`. It tries cases \
-         that are not shown here, and knows mistakes by name.\n\n## What it should print\n\n```text\n{transcript}```\n\n\
+         Whoever also has the workbench can ask it, in its own folder: \
+         `cargo run --release -- check THIS_FOLDER`. It tries cases that are not shown here, and knows mistakes by name.\n\n\
+         ## What it should print\n\n```text\n{transcript}```\n\n\
          ## How it is graded\n\n| property | points |\n| --- | --- |\n"
     );
     for property in properties {
         text += &format!("| {} | {} |\n", property.name, property.points);
     }
-    text += "\nA property counts as a whole, on these cases and on others. Numbers may be off by roundings: any algebra \
-             that is right will do. Only the `.rs` files in `src/` are looked at, and of those not \
-             `lib.rs`, `main.rs` and `probe.rs`, which are put there anew: declare a module of your own where you use it, not in \
-             `lib.rs`. Hand in this folder without `target/`.\n";
+    text += "\nA property counts as a whole, on these cases and on others. Numbers may be off by roundings: any \
+             algebra that is right will do. Only the `.rs` files in `src/` are looked at, and of those not \
+             `lib.rs`, `main.rs` and `probe.rs`, which are put there anew: declare a module of your own \
+             where you use it, not in `lib.rs`. Hand in this folder without `target/`.\n";
     Ok(text)
 }

@@ -8,18 +8,25 @@
 //! // end t_close
 //! ```
 //!
-//! [`cut`](mod@cut) takes regions out and puts a question, or another solution, in their place. [`slice`](mod@slice)
-//! takes from the rest of the chapter what the region needs and nothing else. A [`Manifest`], a TOML file in the chapter's
-//! folder `exercises`, says which regions and which rest, and knows the mistakes that are often made. [`hand_out()`] writes
-//! a project for a student; [`modules`] writes the reference solution, the mistakes and other solutions as modules of one
-//! crate.
+//! [`cut`](mod@cut) takes regions out and puts a question, or another solution, in their place.
+//! [`slice`](mod@slice) takes from the rest of the chapter what the region needs and nothing else; [`docs`]
+//! says in other words what would give the answer away. A [`Manifest`], a TOML file in the chapter's folder
+//! `exercises`, says which regions and which rest, and knows the mistakes that are often made. [`hand_out()`]
+//! writes a project for a student; [`modules`] writes the reference solution, the mistakes and other
+//! solutions as modules of one crate.
+//!
+//! What earlier chapters taught, and earlier exercises of the chapter, comes along solved; what later
+//! exercises of the chapter ask is hidden. No comment of a hand-out has a formula that is asked for: [`formulas`] finds
+//! them.
 
 pub mod cut;
 pub mod docs;
+pub mod formulas;
 pub mod given;
 pub mod hand_out;
 pub mod manifest;
 pub mod modules;
+mod operations;
 pub mod slice;
 pub mod source;
 

@@ -1,8 +1,10 @@
 //! What an exercise is: a TOML file in the chapter's folder `exercises`.
 
+mod read;
+
 use std::collections::BTreeMap;
 
-use toml::{Table, Value};
+use toml::Table;
 
 use crate::slice::{self, Modules, Part};
 use crate::source::Files;
@@ -29,22 +31,34 @@ pub struct Manifest {
     pub predict: (String, String),
     /// What a student is told, in some sentences.
     pub task: String,
-    /// The file with the regions, in the chapter's `src`: `closest_approach.rs`. Regions may be in files of `brings` too.
+    /// The file with the regions, in the chapter's `src`: `closest_approach.rs`. Regions may be in files of
+    /// `brings` too.
     pub file: String,
     /// The names of the regions that become holes.
     pub holes: Vec<String>,
     /// The name of the chapter's method that this is, as `--method` has it, where it is one:
     /// `closest-approach`.
     pub method: Option<String>,
-    /// The names of regions that are another exercise's: a hand-out has neither their lines nor their question.
+    /// The names of regions that are another exercise's: a hand-out has neither their lines nor their
+    /// question.
+    ///
+    /// What earlier exercises of the chapter ask comes along solved; what later ones ask is hidden.
     pub hides: Vec<String>,
-    /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`]. All of `file` comes, but for
-    /// what is said of it here.
+    /// Lines for hidden regions that are run through all the same, and whose values are not looked at.
+    pub instead: Fillings,
+    /// What else of the chapter comes along, by file; that of `lib.rs` is [`Part::Items`]. All of `file`
+    /// comes, but for what is said of it here.
     pub brings: BTreeMap<String, Part>,
     /// Modules of given crates that stay behind, since they have the answer: `math/grid`.
     pub without: Vec<String>,
-    /// What the hand-out says of items of `file`, where the chapter's own words have the answer; see [`docs`].
-    pub docs: BTreeMap<String, String>,
+    /// What the hand-out says of items, where the chapter's own words have the answer, by file; see [`docs`].
+    /// A file is the chapter's, `lib.rs`, or that of a given crate, `given/math/src/no_grid.rs`.
+    pub docs: BTreeMap<String, BTreeMap<String, String>>,
+    /// Whether the holes have numbers of a type `R`, and vectors of those. (Else `tools` says what they
+    /// have.)
+    pub generic: bool,
+    /// What there is to work with besides, a line each.
+    pub tools: Vec<String>,
     /// The names of a case's numbers.
     pub columns: Vec<String>,
     /// What an answer can be right about.
@@ -104,7 +118,7 @@ impl Manifest {
         let path = format!("{folder}/exercises/{name}.toml");
         let text = source.read(&path)?;
         let table: Table = text.parse().map_err(|error| format!("{path}: {error}"))?;
-        manifest(&table, folder, name).map_err(|error| format!("{path}: {error}"))
+        read::manifest(&table, folder, name).map_err(|error| format!("{path}: {error}"))
     }
 
     /// The path of its probe in the checkout.
@@ -132,10 +146,6 @@ impl Manifest {
         if let Some(name) = fillings.keys().find(|name| self.file_of(source, name).is_err()) {
             self.file_of(source, name)?;
         }
-        if let Some(text) = files.get_mut(&self.file) {
-            let said = docs::reworded(text, &self.docs);
-            *text = said.map_err(|error| format!("{src}/{}: {error}", self.file))?;
-        }
         let names = match self.brings.get("lib.rs") {
             Some(Part::Items(names)) => names.as_slice(),
             _ => &[],
@@ -144,7 +154,18 @@ impl Manifest {
         let lib = slice::items(&lib, names, &modules).map_err(|error| format!("{src}/lib.rs: {error}"))?;
         files.insert("lib.rs".into(), format!("{}\npub mod probe;\n", lib.text));
         files.insert("probe.rs".into(), source.read(&self.probe())?);
+        self.reword(&mut files, |file| !file.starts_with(GIVEN))?;
         Ok(files)
+    }
+
+    /// Says in other words what is said of items in some of the files, by their paths.
+    pub(crate) fn reword(&self, files: &mut Files, of: impl Fn(&str) -> bool) -> Result<(), String> {
+        for (file, words) in self.docs.iter().filter(|(file, _)| of(file)) {
+            let text =
+                files.get_mut(file).ok_or(format!("`docs` has words for {file}, which is not there"))?;
+            *text = docs::reworded(text, words).map_err(|error| format!("{file}: {error}"))?;
+        }
+        Ok(())
     }
 
     /// The files that come along, but for `lib.rs`, and how much of each.
@@ -155,8 +176,8 @@ impl Manifest {
         parts
     }
 
-    /// The file with a region.
-    fn file_of(&self, source: &Source, name: &str) -> Result<String, String> {
+    /// The file with a region; `Err` where none has it that comes along.
+    pub fn file_of(&self, source: &Source, name: &str) -> Result<String, String> {
         let parts = self.parts();
         for file in parts.keys() {
             let path = format!("{}/src/{file}", self.folder);
@@ -188,12 +209,21 @@ impl Manifest {
         Ok(self.asks(source)?.into_iter().flat_map(|(_, regions)| regions).collect())
     }
 
+    /// Nothing where another exercise asks, or what is there instead.
+    pub fn hidden(&self) -> Fillings {
+        let filling = |name: &String| self.instead.get(name).cloned().unwrap_or(Filling::Hidden);
+        self.hides.iter().map(|name| (name.clone(), filling(name))).collect()
+    }
+
     /// A question in every hole, and nothing where another exercise has one.
     pub fn questions(&self) -> Fillings {
         let asked = self.holes.iter().map(|name| (name.clone(), Filling::Question));
-        asked.chain(self.hides.iter().map(|name| (name.clone(), Filling::Hidden))).collect()
+        asked.chain(self.hidden()).collect()
     }
 }
+
+/// Where a hand-out has the crates that are given.
+pub(crate) const GIVEN: &str = "given/";
 
 /// The top module of a file of `src`.
 fn module_of(file: &str) -> String {
@@ -205,120 +235,4 @@ fn modules_below(file: &str, parts: &BTreeMap<String, Part>) -> Modules {
     let folder = format!("{}/", file.trim_end_matches(".rs"));
     let below = |(it, part): (&String, &Part)| Some((module_of(it.strip_prefix(&folder)?), part.clone()));
     parts.iter().filter_map(below).collect()
-}
-
-fn manifest(table: &Table, folder: &str, name: &str) -> Result<Manifest, String> {
-    let chapter = folder.trim_start_matches("chapters/").get(3..).unwrap_or_default().to_string();
-    let predict = get(table, "predict")?.as_table().ok_or("`predict` has a question and an answer")?;
-    let holes = strings(table, "holes")?;
-    let hides = if table.contains_key("hides") { strings(table, "hides")? } else { Vec::new() };
-    let brings = get(table, "brings")?.as_table().ok_or("`brings` is a table of files")?;
-    let part = |(file, part): (&String, &Value)| match part {
-        Value::String(all) if all == "all" => Ok((format!("{file}.rs"), Part::All)),
-        Value::Array(_) => Ok((format!("{file}.rs"), Part::Items(strings(brings, file)?))),
-        _ => Err(format!("`brings.{file}` is \"all\" or a list of items")),
-    };
-    let columns: Vec<String> = strings(table, "columns")?;
-    let properties =
-        tables(table, "property")?.map(|it| asked(it, columns.len())).collect::<Result<_, _>>()?;
-    let mistakes = tables(table, "mistake")?.map(|it| mistake(it, &holes)).collect::<Result<_, _>>()?;
-    let others = get(table, "others")?.as_array().ok_or("`others` is a list of solutions")?;
-    Ok(Manifest {
-        name: format!("{chapter}/{name}"),
-        chapter,
-        folder: folder.to_string(),
-        title: string(table, "title")?,
-        page: string(table, "page")?,
-        minutes: whole(table, "minutes")?,
-        teaches: string(table, "teaches")?,
-        predict: (string(predict, "question")?, string(predict, "answer")?),
-        task: string(table, "task")?,
-        file: string(table, "file")? + ".rs",
-        method: table.contains_key("method").then(|| string(table, "method")).transpose()?,
-        brings: brings.iter().map(part).collect::<Result<_, _>>()?,
-        without: if table.contains_key("without") { strings(table, "without")? } else { Vec::new() },
-        docs: match table.get("docs").map(Value::as_table) {
-            None => BTreeMap::new(),
-            Some(None) => return Err("`docs` is a table of texts".to_string()),
-            Some(Some(docs)) => docs
-                .keys()
-                .map(|name| Ok((name.clone(), string(docs, name)?)))
-                .collect::<Result<_, String>>()?,
-        },
-        columns,
-        properties,
-        mistakes,
-        others: others.iter().map(|it| fillings(it, &holes)).collect::<Result<_, _>>()?,
-        holes,
-        hides,
-    })
-}
-
-fn asked(table: &Table, columns: usize) -> Result<Asked, String> {
-    let name = string(table, "name")?;
-    let rows = get(table, "cases")?.as_array().ok_or("`cases` is a list of cases")?;
-    let number = |value: &Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
-    let case = |row: &Value| {
-        let numbers = row.as_array()?.iter().map(number).collect::<Option<Vec<f64>>>()?;
-        (numbers.len() == columns).then_some(numbers)
-    };
-    let cases = rows.iter().map(case).collect::<Option<Vec<_>>>();
-    let cases =
-        cases.ok_or(format!("property {name}: a case is {columns} numbers, a number for each column"))?;
-    Ok(Asked { name, points: whole(table, "points")?, cases })
-}
-
-fn mistake(table: &Table, holes: &[String]) -> Result<Mistake, String> {
-    let again = get(table, "again")?.as_array().ok_or("`again` is a list of solutions")?;
-    Ok(Mistake {
-        name: string(table, "name")?,
-        says: string(table, "says")?,
-        model: fillings(get(table, "model")?, holes)?,
-        again: again.iter().map(|it| fillings(it, holes)).collect::<Result<_, _>>()?,
-    })
-}
-
-/// The lines for the only hole, or a table of lines for some of the holes; the others stay as the chapter has
-/// them.
-fn fillings(value: &Value, holes: &[String]) -> Result<Fillings, String> {
-    match value {
-        Value::String(lines) if holes.len() == 1 => {
-            Ok([(holes[0].clone(), Filling::Lines(lines.clone()))].into_iter().collect())
-        }
-        Value::Table(table) => {
-            let filling = |(name, lines): (&String, &Value)| {
-                let lines = lines.as_str().filter(|_| holes.contains(name));
-                let lines = lines.ok_or(format!("a solution has lines for {name}, which is no hole"))?;
-                Ok((name.clone(), Filling::Lines(lines.to_string())))
-            };
-            table.iter().map(filling).collect()
-        }
-        _ => Err("a solution is the lines for the only hole, or a table: { hole = \"lines\" }".to_string()),
-    }
-}
-
-fn get<'a>(table: &'a Table, key: &str) -> Result<&'a Value, String> {
-    table.get(key).ok_or(format!("`{key}` is missing"))
-}
-
-fn string(table: &Table, key: &str) -> Result<String, String> {
-    get(table, key)?.as_str().map(|text| text.trim().to_string()).ok_or(format!("`{key}` is a text"))
-}
-
-fn strings(table: &Table, key: &str) -> Result<Vec<String>, String> {
-    let texts = get(table, key)?.as_array().and_then(|array| {
-        array.iter().map(|value| value.as_str().map(String::from)).collect::<Option<Vec<_>>>()
-    });
-    texts.ok_or(format!("`{key}` is a list of texts"))
-}
-
-fn whole(table: &Table, key: &str) -> Result<u32, String> {
-    let number = get(table, key)?.as_integer().and_then(|number| u32::try_from(number).ok());
-    number.ok_or(format!("`{key}` is a whole number"))
-}
-
-fn tables<'a>(table: &'a Table, key: &str) -> Result<impl Iterator<Item = &'a Table>, String> {
-    let list = get(table, key)?.as_array().filter(|list| list.iter().all(Value::is_table));
-    let list = list.ok_or(format!("`{key}` is a list of tables: [[{key}]]"))?;
-    Ok(list.iter().filter_map(Value::as_table))
 }

@@ -4,10 +4,43 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::Item;
 use syn::spanned::Spanned;
 
+use crate::manifest::Fillings;
 use crate::source::{Files, below};
+use crate::{Manifest, Source};
 
-/// The files of a library as one module: `pub mod NAME { … }`. `path` is where the module stands in its crate, its own
-/// name included: `crate::path` of the library becomes `crate::PATH::path`.
+/// Solutions of exercises as modules of one crate, written when that is built.
+#[derive(Clone, Debug)]
+pub struct Solutions {
+    at: String,
+    count: usize,
+    /// The text of all modules.
+    pub text: String,
+}
+
+impl Solutions {
+    /// None yet. `at` is the module of the crate that will have them.
+    pub fn at(at: &str) -> Solutions {
+        Solutions { at: at.to_string(), count: 0, text: String::new() }
+    }
+
+    /// Adds an exercise's library with these fillings. The path of its probe from [`Solutions::at`].
+    pub fn add(
+        &mut self,
+        source: &Source,
+        exercise: &Manifest,
+        fillings: &Fillings,
+    ) -> Result<String, String> {
+        self.count += 1;
+        let module = format!("s{}", self.count);
+        let files = exercise.library(source, fillings)?;
+        let text = inline(&files, &format!("{}::{module}", self.at));
+        self.text += &text.map_err(|error| format!("{}: {error}", exercise.name))?;
+        Ok(format!("{module}::probe::probe"))
+    }
+}
+
+/// The files of a library as one module: `pub mod NAME { … }`. `path` is where the module stands in its
+/// crate, its own name included: `crate::path` of the library becomes `crate::PATH::path`.
 pub fn inline(files: &Files, path: &str) -> Result<String, String> {
     let name = path.rsplit("::").next().unwrap_or_default();
     let text = module(files, "lib.rs", path)?;

@@ -47,8 +47,8 @@ pub fn without_tests(text: &str, keeps: impl Fn(&str) -> bool) -> Result<Slice, 
 /// The modules that a file declares and that come along, by name, and how much of each.
 pub type Modules = BTreeMap<String, Part>;
 
-/// The items with these names in the file's order, what is implemented for them, imports from outside, and of `modules`
-/// their declarations and what is taken from them, as far as it is there.
+/// The items with these names in the file's order, what is implemented for them, imports from outside, and of
+/// `modules` their declarations and what is taken from them, as far as it is there.
 pub fn items(text: &str, names: &[String], modules: &Modules) -> Result<Slice, String> {
     let file = parse(text)?;
     let every = file.items.iter().filter_map(module).collect::<Vec<_>>();
@@ -129,12 +129,17 @@ fn name(item: &Item) -> Option<String> {
         Item::Struct(it) => it.ident.to_string(),
         Item::Trait(it) => it.ident.to_string(),
         Item::Type(it) => it.ident.to_string(),
-        Item::Impl(it) => match &*it.self_ty {
-            syn::Type::Path(path) => path.path.segments.last()?.ident.to_string(),
-            _ => return None,
-        },
+        Item::Impl(it) => type_name(&it.self_ty)?,
         _ => return None,
     })
+}
+
+/// The name of a type, without its parameters.
+pub(crate) fn type_name(of: &syn::Type) -> Option<String> {
+    match of {
+        syn::Type::Path(path) => Some(path.path.segments.last()?.ident.to_string()),
+        _ => None,
+    }
 }
 
 fn attributes(item: &Item) -> &[Attribute] {

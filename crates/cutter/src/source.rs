@@ -58,16 +58,16 @@ impl Source {
         folder.map(|folder| format!("chapters/{folder}")).ok_or(format!("there is no chapter {name}"))
     }
 
-    /// A file of a library and all the modules below it, without tests and stage and marks. `folder` is the library's
-    /// `src`, `file` the path of the file in it.
+    /// A file of a library and all the modules below it, without tests and stage and marks. `folder` is the
+    /// library's `src`, `file` the path of the file in it.
     pub fn whole(&self, folder: &str, file: &str) -> Result<Files, String> {
         let mut files = Files::new();
         self.add(folder, file, &Part::All, &Modules::new(), &BTreeMap::new(), &mut files)?;
         Ok(files)
     }
 
-    /// Adds a part of a file, with some of its regions filled. All of a file has the modules below it with it; some of its
-    /// items have only the declarations of `modules`, which are to be added too.
+    /// Adds a part of a file, with some of its regions filled. All of a file has the modules below it with
+    /// it; some of its items have only the declarations of `modules`, which are to be added too.
     pub(crate) fn add(
         &self,
         folder: &str,
