@@ -24,8 +24,8 @@ pub struct HalfPlanes<R: Real> {
     pub lambda: R,
     /// r̄(λ*), where the line of the ray meets the plane.
     pub x: R::Vec3,
-    /// On which side of the edges p̄1 p̄2, p̄2 p̄3 and p̄3 p̄1 the point x is, each as a number. None is negative in the
-    /// triangle; zero is on the edge.
+    /// ((p̄2 − p̄1) × (x − p̄1)) · n, the same for p̄2 and p̄3, and for p̄3 and p̄1. None is negative in the triangle; zero
+    /// is on the edge.
     pub sides: [R; 3],
     /// n · n, which is what the three sides sum to.
     pub n_dot_n: R,
@@ -65,11 +65,11 @@ impl<R: Real> HalfPlanes<R> {
         parallel(&self.ray, &self.triangle)
     }
 
-    /// α and β of the point. They need no further work than a division. `None` where there is no such point.
+    /// α and β of the point. They need no further work: the side of an edge, as a share of n · n, is the share of the
+    /// corner across it. `None` where there is no such point.
     #[inline]
     pub fn alpha_beta(&self) -> Option<(R, R)> {
         // exercise shares: The three sides sum to n · n: which of them is the share of p̄2, and which that of p̄3?
-        // The side of an edge, as a share of n · n, is the share of the corner across it.
         let (alpha, beta): (R, R) = (self.sides[2] / self.n_dot_n, self.sides[0] / self.n_dot_n);
         // end shares
         (alpha.is_finite() && beta.is_finite()).then_some((alpha, beta))

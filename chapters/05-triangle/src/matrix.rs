@@ -8,30 +8,31 @@ use crate::{Hit3, Triangle};
 /// Every number of the second way.
 ///
 /// ā + λ d = p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1) is M (α, β, λ)ᵀ = p̄1 − ā. The page says "invert the matrix";
-/// here it is done by Cramer's rule, so that every determinant is a number one can look at.
+/// here it is done by Cramer's rule, so that every determinant is a number one can look at. An unknown is the
+/// determinant of M with the unknown's column replaced by p̄1 − ā, over that of M.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Matrix<R: Real> {
     /// The ray ā + λ d.
     pub ray: Ray3<R>,
     /// The triangle.
     pub triangle: Triangle<R>,
-    /// The columns of M, for α, β and λ.
+    /// The columns of M: −(p̄2 − p̄1), −(p̄3 − p̄1), d.
     pub m: [R::Vec3; 3],
-    /// The right-hand side.
+    /// p̄1 − ā, the right-hand side.
     pub to_p1: R::Vec3,
     /// det M, which is d · n.
     pub det: R,
-    /// The determinant that belongs to α.
+    /// With p̄1 − ā as the first column.
     pub det_alpha: R,
-    /// The one that belongs to β.
+    /// With p̄1 − ā as the second column.
     pub det_beta: R,
-    /// The one that belongs to λ; it is (p̄1 − ā) · n.
+    /// With p̄1 − ā as the third column; it is (p̄1 − ā) · n.
     pub det_lambda: R,
-    /// α, the share of p̄2
+    /// α = det_alpha / det
     pub alpha: R,
-    /// β, the share of p̄3
+    /// β = det_beta / det
     pub beta: R,
-    /// λ, along the ray
+    /// λ = det_lambda / det
     pub lambda: R,
 }
 
@@ -53,7 +54,6 @@ pub fn matrix<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Matrix<R> {
     // Cramer's rule
     let det = determinant::<R>(m[0], m[1], m[2]);
     // exercise cramer: Which column of M does the right-hand side take the place of, for each unknown?
-    // An unknown is the determinant of M with the unknown's column replaced by p̄1 − ā, over that of M.
     let det_alpha = determinant::<R>(to_p1, m[1], m[2]);
     let det_beta = determinant::<R>(m[0], to_p1, m[2]);
     let det_lambda = determinant::<R>(m[0], m[1], to_p1);
@@ -85,7 +85,7 @@ impl<R: Real> Matrix<R> {
         (self.alpha.is_finite() && self.beta.is_finite()).then_some((self.alpha, self.beta))
     }
 
-    /// The page's conditions. They say nothing of λ.
+    /// α ≥ 0, β ≥ 0 and α + β ≤ 1: the page's conditions. They say nothing of λ.
     #[inline]
     pub fn is_inside(&self) -> bool {
         // exercise inside: Which α and β do the points of the triangle have?

@@ -29,13 +29,13 @@ pub struct MollerTrumbore<R: Real> {
     pub p: R::Vec3,
     /// Q = s × e1
     pub q: R::Vec3,
-    /// −det of the page
+    /// P · e1 = −det
     pub det: R,
-    /// −det_alpha of the page
+    /// P · s = −det_alpha
     pub det_alpha: R,
-    /// −det_beta of the page
+    /// Q · d = −det_beta
     pub det_beta: R,
-    /// −det_lambda of the page
+    /// Q · e2 = −det_lambda
     pub det_lambda: R,
 }
 
@@ -48,7 +48,6 @@ pub fn moller_trumbore<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Moller
     let (e1, e2, s) = (p2 - p1, p3 - p1, ray.origin - p1);
     let p = R::cross(ray.direction, e2);
     let q = R::cross(s, e1);
-    // P · e1 = −det, P · s = −det_alpha, Q · d = −det_beta, Q · e2 = −det_lambda
     let (det, det_alpha) = (p.dot(e1), p.dot(s));
     let (det_beta, det_lambda) = (q.dot(ray.direction), q.dot(e2));
     MollerTrumbore { ray: *ray, triangle: *triangle, e1, e2, s, p, q, det, det_alpha, det_beta, det_lambda }

@@ -11,13 +11,13 @@ pub struct Notes<R: Real> {
     pub ray: Ray3<R>,
     /// The solid.
     pub shape: Shape,
-    /// A, of λ²
+    /// A = d_x² + d_y², for the cone − ¼ d_z²
     pub a: R,
-    /// B, of 2 λ
+    /// B = a_x d_x + a_y d_y, for the cone + ¼(1 − a_z) d_z
     pub b: R,
-    /// C = f(a)
+    /// C = f(a): a_x² + a_y² − 1, for the cone a_x² + a_y² − ¼(1 − a_z)²
     pub c: R,
-    /// D, below zero where the line misses the wall
+    /// D = B² − A C, below zero where the line misses the wall
     pub d: R,
     all: [Candidate<R>; 4],
     count: usize,
@@ -155,7 +155,8 @@ fn wall_roots<R: Real>(a: R, b: R, c: R, d: R) -> [Option<R>; 2] {
     // end roots
 }
 
-/// A point of the wall, kept where it is one of the solid. (The page's "z ≤ 1 or z < 1" lacks something.)
+/// A point of the wall, kept where 0 ≤ z ≤ 1, or |z| ≤ 1 for the cylinder. (The page's "z ≤ 1 or z < 1" lacks the
+/// lower bound, and with < for wall and cap alike a ray slips through the rim.)
 #[inline]
 fn on_wall<R: Real>(ray: &Ray3<R>, shape: Shape, lambda: Option<R>) -> Candidate<R> {
     let Some(at) = lambda else {
@@ -165,7 +166,6 @@ fn on_wall<R: Real>(ray: &Ray3<R>, shape: Shape, lambda: Option<R>) -> Candidate
     let (lowest, highest) = shape.heights::<R>();
     let z = R::xyz(point)[2];
     // exercise between: Which points of the endless wall belong to the solid, its rims included?
-    // The page lacks the lower bound, and with < for wall and cap alike a ray slips through the rim.
     let is_between: bool = lowest <= z && z <= highest;
     // end between
     // A root that overflowed has no point to show.
@@ -173,7 +173,7 @@ fn on_wall<R: Real>(ray: &Ray3<R>, shape: Shape, lambda: Option<R>) -> Candidate
     Candidate { part: Part::Wall, lambda, point, test }
 }
 
-/// A point of a cap's plane, kept where it is one of the cap.
+/// A point of a cap's plane, kept where x² + y² ≤ 1, or ≤ ¼ for the base of the cone.
 #[inline]
 fn on_plane<R: Real>(ray: &Ray3<R>, shape: Shape, part: Part) -> Candidate<R> {
     let (height, d_z) = (R::from(part.height().unwrap_or(0.0)), R::xyz(ray.direction)[2]);
@@ -186,7 +186,6 @@ fn on_plane<R: Real>(ray: &Ray3<R>, shape: Shape, part: Part) -> Candidate<R> {
     let [x, y, _] = R::xyz(ray.at(lambda));
     let point = R::vec3(x, y, height);
     // exercise rim: Which points of the plane belong to the cap, the rim included?
-    // x² + y² ≤ 1, or ≤ ¼ for the base of the cone
     let is_within: bool = shape.wall::<R>(point) <= R::from(0.0);
     // end rim
     let test = if is_within { Test::OnSurface } else { Test::BeyondRim };

@@ -6,7 +6,8 @@ use math::{Ray3, Span};
 use crate::notes::notes;
 use crate::{Affine, Deformed, Matrix3, Object};
 
-/// The unit sphere, deformed by the matrix with the rows `A1`, `A2`, `A3` and moved by `t`, and the ray `a`, `d`.
+/// The unit sphere, deformed by the matrix with the rows `A1`, `A2`, `A3` and moved by `t`, and the ray `a`,
+/// `d`.
 pub fn probe(case: &Case, steps: &mut Steps) {
     let a = Matrix3::<f64>::from_rows(["A1", "A2", "A3"].map(|row| case.point(row)));
     let ray = Ray3::new(case.point("a").into(), case.point("d").into());

@@ -51,16 +51,15 @@ impl<R: Real> Matrix3<R> {
         // end determinant
     }
 
-    /// adj A, the matrix with A adj A = det A · 1.
+    /// adj A, the matrix with A adj A = det A · 1: its rows are b × c, c × a, a × b of the columns a, b, c.
     pub fn adjugate(&self) -> Matrix3<R> {
         let [a, b, c] = self.columns;
         // exercise adjugate: What is at right angles to two columns at a time: a row or a column of adj A?
-        // its rows are b × c, c × a, a × b of the columns a, b, c
         Matrix3::from_rows([R::cross(b, c), R::cross(c, a), R::cross(a, b)].map(R::xyz))
         // end adjugate
     }
 
-    /// A⁻¹. Infinite or NaN where det A is zero, or vanishes when it is rounded.
+    /// A⁻¹ = adj A / det A. Infinite or NaN where det A is zero, or vanishes when it is rounded.
     pub fn inverse(&self) -> Matrix3<R> {
         // exercise inverse: A adj A = det A · 1: what is A⁻¹ then?
         let det = self.determinant();

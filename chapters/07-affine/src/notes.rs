@@ -13,7 +13,7 @@ pub struct Notes<'a, R: Real> {
     pub deformed: &'a Deformed<R>,
     /// a − t
     pub a_minus_t: R::Vec3,
-    /// The ray r′(λ) = a′ + λ d′ in the object's own space.
+    /// The ray r′(λ) = a′ + λ d′ in the object's own space: a′ = A⁻¹(a − t), d′ = A⁻¹ d.
     pub ray_prime: Ray3<R>,
     /// The object's own method for that ray.
     pub undeformed: Undeformed<R>,
@@ -26,8 +26,8 @@ pub struct Notes<'a, R: Real> {
 pub fn notes<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Notes<'a, R> {
     let (a_inverse, t) = (&deformed.inverse, deformed.affine.t);
 
-    // F(r(λ)) = f(A⁻¹(a + λ d − t)) = f(a′ + λ d′)
     // exercise a_prime: Where does the ray start in the object's own space: what is undone first, A or t?
+    // F(r(λ)) = f(A⁻¹(a + λ d − t)) = f(a′ + λ d′)
     let a_minus_t: R::Vec3 = ray.origin - t;
     let a_prime: R::Vec3 = a_inverse.times(a_minus_t);
     // end a_prime

@@ -7,8 +7,8 @@ use signature::Scene;
 use crate::Box3;
 use crate::projected::rectangle;
 
-/// The rectangles of two corners alone and of the box from `low` to `high`, seen from the origin along z: 20 × 10
-/// pixels on a window of 4 × 2 at the distance `f`.
+/// The rectangles of two corners alone and of the box from `low` to `high`, seen from the origin along z: 20
+/// × 10 pixels on a window of 4 × 2 at the distance `f`.
 pub fn probe(case: &Case, steps: &mut Steps) {
     let [low, high] = ["low", "high"].map(|corner| case.point(corner).map(|x| x as f32));
     let window = Window { left: -2.0, right: 2.0, bottom: -1.0, top: 1.0 };

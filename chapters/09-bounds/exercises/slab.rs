@@ -6,8 +6,8 @@ use math::Ray3;
 use crate::Box3;
 use crate::slab::{Reach, Slabs};
 
-/// Where the ray `o`, `d` enters the box from `low` to `high`: first with the faces of x alone, then with those of y
-/// and of z.
+/// Where the ray `o`, `d` enters the box from `low` to `high`: first with the faces of x alone, then with
+/// those of y and of z.
 pub fn probe(case: &Case, steps: &mut Steps) {
     let ray = Ray3::<f64>::new(case.point("o").into(), case.point("d").into());
     let [low, high] = ["low", "high"].map(|corner| case.point(corner).map(|x| x as f32));

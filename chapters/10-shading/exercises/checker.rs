@@ -5,8 +5,8 @@ use exercise::{Case, Steps};
 use crate::Rgb;
 use crate::texture::{Mapping, Texture, Textured};
 
-/// The color at the point `p` of the plane through `o` with the normal `n`, in squares of side `scale`, and what is
-/// around it.
+/// The color at the point `p` of the plane through `o` with the normal `n`, in squares of side `scale`, and
+/// what is around it.
 pub fn probe(case: &Case, steps: &mut Steps) {
     let scale = case.number("scale");
     let mapping = Mapping::plane(case.point("o"), case.point("n"), None);

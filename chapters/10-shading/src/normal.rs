@@ -71,8 +71,8 @@ pub fn by_tangents<R: Real>(shape: Smooth, p: R::Vec3) -> ByTangents<R> {
     let (cos_alpha, sin_alpha) = (x / rho, y / rho);
     // ∂s/∂α = (−ρ sin α, ρ cos α, 0)
     let along_alpha = R::vec3(-y, x, zero);
-    // ∂s/∂β = (ρ′ cos α, ρ′ sin α, z′)
     // exercise along_beta: Where does the point of each surface go as β grows a little?
+    // ∂s/∂β = (ρ′ cos α, ρ′ sin α, z′)
     let along_beta: R::Vec3 = match shape {
         Smooth::Sphere => R::vec3(-(z * cos_alpha), -(z * sin_alpha), rho),
         Smooth::Cylinder => R::vec3(zero, zero, one),

@@ -4,8 +4,8 @@ use exercise::{Case, Steps};
 
 use crate::media::Media;
 
-/// A ray goes through up to four surfaces: `pass_1` = 2 enters solid 2, −2 leaves it. `index_2` is its index. With `back` = 1
-/// all is undone afterwards.
+/// A ray goes through up to four surfaces: `pass_1` = 2 enters solid 2, −2 leaves it. `index_2` is its index.
+/// With `back` = 1 all is undone afterwards.
 pub fn probe(case: &Case, steps: &mut Steps) {
     let index = |solid: Option<usize>| solid.map_or(1.0, |solid| case.number(&format!("index_{solid}")));
     let list = |media: &Media| match media.solids() {
