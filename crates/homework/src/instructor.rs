@@ -1,5 +1,7 @@
 //! What a lecturer wants to know of each exercise, as a page of the book.
 
+use exercise::Case;
+
 use crate::{Catalog, Exercise};
 
 /// The page: a table of all exercises, and a section each.
@@ -57,9 +59,14 @@ fn section(exercise: &Exercise) -> String {
     for known in &exercise.mistakes {
         text += &format!("- `{}`: {}\n", known.name, one(&known.says));
     }
-    text += "\n**Graded by**\n\n| property | points | cases, one of them shown |\n| --- | --- | --- |\n";
+    text += "\n**Graded by** these cases, of which a student is shown the first of each property.\n\n\
+             | property | points | shown | hidden |\n| --- | --- | --- | --- |\n";
     for property in &it.properties {
-        text += &format!("| {} | {} | {} |\n", cell(&property.name), property.points, property.cases.len());
+        let case = |numbers: &Vec<f64>| cell(&Case::new(&it.columns, numbers).to_string());
+        let mut cases = property.cases.iter().map(case);
+        let shown = cases.next().unwrap_or_default();
+        let hidden = cases.collect::<Vec<_>>().join("<br>");
+        text += &format!("| {} | {} | {shown} | {hidden} |\n", cell(&property.name), property.points);
     }
     if let Some(method) = &it.method {
         text += &format!(
@@ -79,4 +86,27 @@ fn one(text: &str) -> String {
 /// A text in a cell of a table.
 fn cell(text: &str) -> String {
     one(text).replace('|', "\\|")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every case is there, written as the program writes it, and the ones that are not shown apart.
+    #[test]
+    fn the_page_has_every_case() {
+        let catalog = Catalog::read().unwrap();
+        for exercise in &catalog.exercises {
+            let (it, text) = (&exercise.manifest, section(exercise));
+            for asked in &it.properties {
+                let row = format!("| {} | {} | ", cell(&asked.name), asked.points);
+                let row = text.lines().find_map(|line| line.strip_prefix(&row)).unwrap();
+                let (shown, hidden) = row.trim_end_matches(" |").split_once(" | ").unwrap();
+                let cases: Vec<String> =
+                    asked.cases.iter().map(|numbers| Case::new(&it.columns, numbers).to_string()).collect();
+                assert_eq!(shown, cases[0], "{}", it.name);
+                assert_eq!(hidden.split("<br>").collect::<Vec<_>>(), cases[1..], "{}", it.name);
+            }
+        }
+    }
 }
