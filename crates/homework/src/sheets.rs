@@ -186,19 +186,21 @@ mod tests {
     /// numbers and binary fractions of some bits, whose products and sums are exact.
     #[test]
     fn where_a_case_is_on_an_edge_its_numbers_are_short() {
-        let short = |x: &f64| x.is_infinite() || x.abs() <= 1024.0 && (x * 1024.0).fract() == 0.0;
-        let mut count = 0;
+        let short = |x: &f64| x.is_infinite() || x.abs() <= 8192.0 && (x * 1024.0).fract() == 0.0;
+        let (mut count, mut long) = (0, Vec::new());
         for exercise in crate::Catalog::read().unwrap().exercises {
             let it = &exercise.manifest;
             for asked in &it.properties {
                 for case in &asked.cases {
                     if on_an_edge(exercise.reference, &it.columns, case) {
                         count += 1;
-                        assert!(case.iter().all(short), "{}, {}: {case:?}", it.name, asked.name);
+                        if !case.iter().all(short) {
+                            long.push(format!("{}, {}: {case:?}", it.name, asked.name));
+                        }
                     }
                 }
             }
         }
-        assert!(count > 0);
+        assert!(count > 0 && long.is_empty(), "of {count} cases on an edge:\n{}", long.join("\n"));
     }
 }
