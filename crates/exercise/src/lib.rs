@@ -13,11 +13,13 @@ mod compare;
 mod program;
 mod sheet;
 mod steps;
+mod told;
 mod value;
 
 pub use case::Case;
 pub use compare::{Wrong, first_wrong, first_wrong_step};
-pub use program::{Probe, Work, lines, main, run, test, told};
+pub use program::{Probe, Work, lines, main, run, test};
 pub use sheet::{Answer, Broken, Property, Row, Sheet};
 pub use steps::{Step, Steps};
+pub use told::{asks, ended, got, next, told};
 pub use value::{Value, ulps};

@@ -7,7 +7,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::process::ExitCode;
 use std::sync::Once;
 
-use crate::{Answer, Broken, Case, Sheet, Step, Steps, Wrong, first_wrong_step};
+use crate::{Answer, Broken, Case, Sheet, Step, Steps, Wrong, first_wrong_step, next, told};
 
 /// Writes down what the code makes of a case.
 pub type Probe = fn(&Case, &mut Steps);
@@ -111,11 +111,13 @@ fn show(work: Work, output: &mut dyn Write) -> io::Result<()> {
     let sheet = sheet(work)?;
     writeln!(output, "{}\n", sheet.exercise)?;
     for (number, row) in sheet.rows.iter().enumerate() {
+        let property = &sheet.properties[row.property].name;
+        writeln!(output, "{property}\n  given {}", sheet.case(number))?;
+        // where the code crashes or never comes back, its case is the last that is seen
+        output.flush()?;
         let answer = run(work.probe, &sheet.case(number));
         let wrong = first_wrong_step(&row.steps, &answer);
         let right = wrong.as_ref().map_or(row.steps.0.len(), |wrong| wrong.step);
-        let property = &sheet.properties[row.property].name;
-        writeln!(output, "{property}\n  given {}", sheet.case(number))?;
         write!(output, "{}", lines(&answer.steps.0[..right.min(answer.steps.0.len())]))?;
         if let Some(wrong) = wrong {
             let wrong = Wrong { row: number, ..wrong };
@@ -124,41 +126,6 @@ fn show(work: Work, output: &mut dyn Write) -> io::Result<()> {
         writeln!(output)?;
     }
     writeln!(output, "Every value is as it should be. Next: cargo test, then hand it in (README.md).")
-}
-
-/// What to do after a step that is wrong.
-fn next(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> String {
-    if let Some(Broken { message, place }) = answer.broken.as_ref().filter(|_| wrong.broken.is_some())
-        && let Some(question) = message.strip_prefix("not yet implemented: ")
-    {
-        return format!("Next: {place} asks:\n  {question}");
-    }
-    format!("Here it goes wrong.\n{}", told(sheet, wrong, answer))
-}
-
-/// A wrong step in words, some lines without an end of the last: `answer` is what the code made of its row.
-pub fn told(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> String {
-    let property = &sheet.properties[sheet.rows[wrong.row].property].name;
-    let mut text = format!("  property  {property}\n  given     {}\n", sheet.case(wrong.row));
-    text += &match &wrong.expected {
-        Some(step) => {
-            format!("  symbol    {}\n  formula   {}\n  expected  {}\n", step.symbol, step.formula, step.value)
-        }
-        None => "  expected  nothing more\n".to_string(),
-    };
-    text += &match (&wrong.got, answer.broken.as_ref().filter(|_| wrong.broken.is_some())) {
-        (Some(got), _) => format!("  got       {got}"),
-        (None, Some(Broken { message, place })) if place.is_empty() => {
-            format!("  got       nothing: {message}")
-        }
-        (None, Some(Broken { message, place })) => format!("  got       a panic at {place}: {message}"),
-        (None, None) => "  got       nothing".to_string(),
-    };
-    // what is off by more is wrong, and not by roundings
-    if let Some(ulps) = wrong.ulps.filter(|&ulps| ulps < 1e6) {
-        text += &format!("\n  off by    {ulps:.0} ulps (units of the last digit)");
-    }
-    text
 }
 
 /// Steps as lines: symbol, formula, value.
@@ -172,6 +139,8 @@ pub fn lines(steps: &[Step]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Mutex;
+
     use super::*;
 
     const SHEET: &str = "exercise\tdouble/it\ncolumns\tx\nproperty\tpositive\t1\ncase\t2.0\nstep\ty\t2 x\tnumber\t4.0\t0.0\n\
@@ -206,6 +175,34 @@ mod tests {
             steps.number("y", "2 x", case.number("x") * 2.0);
         });
         assert!(text.contains("Every value"), "{text}");
+    }
+
+    /// What was written, as far as it was flushed.
+    static FLUSHED: Mutex<String> = Mutex::new(String::new());
+
+    struct Flushed(String);
+
+    impl Write for Flushed {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.0 += &String::from_utf8_lossy(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            FLUSHED.lock().unwrap().clone_from(&self.0);
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_case_is_seen_before_it_is_tried() {
+        let probe: Probe = |case, steps| {
+            let seen = FLUSHED.lock().unwrap().ends_with(&format!("  given {case}\n"));
+            steps.number("y", "2 x", if seen { case.number("x") * 2.0 } else { f64::NAN });
+        };
+        show(Work { sheet: SHEET, probe }, &mut Flushed(String::new())).unwrap();
+        let shown = FLUSHED.lock().unwrap().clone();
+        assert!(shown.contains("given x = −3"), "{shown}");
     }
 
     #[test]
