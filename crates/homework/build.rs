@@ -4,9 +4,13 @@ use std::path::PathBuf;
 
 use cutter::{Manifest, Source, manifest::Fillings, modules::Solutions};
 
+#[path = "src/state.rs"]
+mod state;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let root = PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?).join("../..");
     println!("cargo::rerun-if-changed=../../chapters");
+    println!("cargo::rustc-env=CHAPTERS={}", state::state(&root.join("chapters"))?);
     let source = Source::at(root);
     let mut solutions = Solutions::at("solutions");
     let (mut references, mut mistakes) = (String::new(), String::new());

@@ -1,6 +1,6 @@
 //! Every exercise, with its reference solution and its known mistakes.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cutter::{Manifest, Source};
 use exercise::{Probe, Sheet};
@@ -8,6 +8,7 @@ use stage::Error;
 
 use crate::sheets::sheet;
 use crate::solutions::{MISTAKES, REFERENCES};
+use crate::state::state;
 
 /// The exercises of the checkout that this was built from.
 #[derive(Debug)]
@@ -41,12 +42,14 @@ pub struct Known {
 }
 
 impl Catalog {
-    /// Reads the exercises. `Err` where the checkout is gone, or is not what this was built from.
+    /// Reads the exercises. `Err` where the checkout is gone, or its chapters are not what this was built
+    /// from.
     pub fn read() -> Result<Catalog, Error> {
         let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
         let source = Source::at(root.canonicalize().unwrap_or(root));
         let remedy =
             |error| Error::Failed(format!("{error}; run this with cargo in the checkout of the workbench"));
+        as_built(&source.root().join("chapters"), env!("CHAPTERS")).map_err(remedy)?;
         let manifests = Manifest::all(&source).map_err(remedy)?;
         let known =
             |manifest| built(manifest).ok_or_else(|| remedy("the exercises have changed".to_string()));
@@ -65,6 +68,16 @@ impl Catalog {
                 if here.is_empty() { ("there are", near) } else { ("its chapter has", here) };
             Error::Request(format!("there is no exercise {name:?}; {which} {}", names.join(", ")))
         })
+    }
+}
+
+/// Whether the chapters are in the state that this was built from: else its solutions are not those of the
+/// hand-outs.
+fn as_built(chapters: &Path, then: &str) -> Result<(), String> {
+    let state = state(chapters).map_err(|error| format!("cannot read {}: {error}", chapters.display()))?;
+    match state.to_string() == then {
+        true => Ok(()),
+        false => Err(format!("{} has changed since this was built", chapters.display())),
     }
 }
 
@@ -94,5 +107,37 @@ impl Exercise {
     /// How many points there are.
     pub fn points(&self) -> u32 {
         self.manifest.properties.iter().map(|it| it.points).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn solutions_of_other_chapters_are_not_used() {
+        let folder = tempfile::tempdir().unwrap();
+        for (path, text) in
+            [("04-a/src/deep/b.rs", "b"), ("04-a/exercises/c.toml", "c"), ("04-a/tests/d.rs", "d")]
+        {
+            let path = folder.path().join(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        }
+        let then = state(folder.path()).unwrap().to_string();
+        fs::write(folder.path().join("04-a/tests/d.rs"), "nothing is cut from it").unwrap();
+        assert_eq!(as_built(folder.path(), &then), Ok(()));
+        for path in ["04-a/src/deep/b.rs", "04-a/exercises/c.toml", "04-a/src/new.rs"] {
+            let path = folder.path().join(path);
+            let before = fs::read(&path).ok();
+            fs::write(&path, "changed").unwrap();
+            let error = as_built(folder.path(), &then).unwrap_err();
+            assert!(error.contains("has changed since this was built"), "{error}");
+            before.map_or_else(|| fs::remove_file(&path), |text| fs::write(&path, text)).unwrap();
+        }
+        assert_eq!(as_built(folder.path(), &then), Ok(()));
+        assert!(as_built(&folder.path().join("gone"), &then).is_err());
     }
 }

@@ -26,9 +26,11 @@ mod report;
 mod sandbox;
 mod sheets;
 mod start;
+mod state;
 mod submission;
 
-// What is cut from a chapter is that chapter's own code, linted there; cut out, parts of it stand without use or words.
+// What is cut from a chapter is that chapter's own code, linted there; cut out, parts of it stand without use
+// or words.
 #[allow(
     dead_code,
     missing_docs,
