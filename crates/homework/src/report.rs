@@ -5,7 +5,7 @@ mod gradescope;
 mod json;
 mod text;
 
-use exercise::{Answer, Sheet, Wrong, first_wrong_step, told};
+use exercise::{Answer, Sheet, Wrong, asks, ended, first_wrong_step, got, next, told};
 
 use crate::Exercise;
 use crate::attempt::Outcome;
@@ -87,6 +87,17 @@ pub(crate) struct FirstWrong {
     pub(crate) expected: String,
     pub(crate) got: String,
     pub(crate) ulps: Option<f64>,
+    /// What ended the answer in place of a value, if something did.
+    pub(crate) end: Option<End>,
+}
+
+/// What ended an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum End {
+    /// A hole of the hand-out, which still asks: where it is.
+    Asks(String),
+    /// The whole program ended: how.
+    Program(String),
 }
 
 impl Report {
@@ -146,15 +157,23 @@ impl Report {
         let Some(wrong) = &verdict.wrong else {
             return Report { status: Status::Right, output: "All of it is right.".to_string(), ..report };
         };
-        let said =
-            clean(&told(sheet, wrong, answers.get(wrong.row).unwrap_or(&Answer::default())), MOST_OUTPUT);
-        report.output =
-            format!("The first value that is wrong:\n{said}\n  page      {}", exercise.manifest.page);
+        let none = Answer::default();
+        let answer = answers.get(wrong.row).unwrap_or(&none);
+        report.output = match (asks(wrong, answer), ended(wrong, answer)) {
+            // as `cargo run` says it in the hand-out
+            (Some(_), _) => clean(&next(sheet, wrong, answer), MOST_OUTPUT),
+            (None, end) => {
+                let said = clean(&told(sheet, wrong, answer), MOST_OUTPUT);
+                let first =
+                    if end.is_some() { "It ends in this case" } else { "The first value that is wrong" };
+                format!("{first}:\n{said}\n  page      {}", exercise.manifest.page)
+            }
+        };
         if let Some(known) = verdict.mistake {
             report.output += &format!("\n\nThis looks like `{}`. {}", known.name, known.says);
             report.mistake = Some((known.name.clone(), known.says.clone()));
         }
-        Report { status: Status::Wrong, wrong: Some(in_words(sheet, wrong, answers)), ..report }
+        Report { status: Status::Wrong, wrong: Some(in_words(sheet, wrong, answer)), ..report }
     }
 }
 
@@ -168,23 +187,21 @@ fn first_of(sheet: &Sheet, answers: &[Answer], property: usize) -> Option<String
     })
 }
 
-fn in_words(sheet: &Sheet, wrong: &Wrong, answers: &[Answer]) -> FirstWrong {
-    let expected = wrong.expected.as_ref();
-    let broken = answers.get(wrong.row).and_then(|it| it.broken.as_ref()).filter(|_| wrong.broken.is_some());
-    let got = match (&wrong.got, broken) {
-        (Some(got), _) => got.to_string(),
-        (None, Some(it)) if it.place.is_empty() => format!("nothing: {}", it.message),
-        (None, Some(it)) => format!("a panic at {}: {}", it.place, it.message),
-        (None, None) => "nothing".to_string(),
-    };
+fn in_words(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> FirstWrong {
+    let ended = ended(wrong, answer);
+    // where the whole program ended no step is to blame
+    let expected = wrong.expected.as_ref().filter(|_| ended.is_none());
+    let nothing = if ended.is_some() { "an answer" } else { "nothing more" };
+    let asks = asks(wrong, answer).map(|(place, _)| End::Asks(one_line(place, 200)));
     FirstWrong {
         property: sheet.properties[sheet.rows[wrong.row].property].name.clone(),
         given: sheet.case(wrong.row).to_string(),
         symbol: expected.map(|it| it.symbol.clone()).unwrap_or_default(),
         formula: expected.map(|it| it.formula.clone()).unwrap_or_default(),
-        expected: expected.map_or("nothing more".to_string(), |it| it.value.to_string()),
-        got: one_line(&got, 200),
+        expected: expected.map_or(nothing.to_string(), |it| it.value.to_string()),
+        got: one_line(&got(wrong, answer), 200),
         ulps: wrong.ulps.filter(|it| it.is_finite()),
+        end: asks.or(ended.map(|how| End::Program(one_line(how, 200)))),
     }
 }
 
@@ -245,6 +262,7 @@ pub(crate) mod tests {
             expected: "1".into(),
             got: "2".into(),
             ulps: Some(4503599627370496.0),
+            end: None,
         };
         let mistaken = Report {
             student: "bob, \"the\" second".into(),

@@ -1,8 +1,11 @@
 //! As a table to read.
 
-use super::{Report, Status, one_line};
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
-/// A line a submission, and how many of each kind there are.
+use super::{End, Report, Status, one_line};
+
+/// A line a submission, how many of each kind there are, and how each exercise went.
 pub(crate) fn text(reports: &[Report]) -> String {
     let score = |it: &Report| format!("{} of {}", it.score, it.points);
     let columns = |it: &Report| [it.student.clone(), it.exercise.clone(), score(it), remark(it)];
@@ -19,25 +22,50 @@ pub(crate) fn text(reports: &[Report]) -> String {
     let kinds = [Status::Right, Status::Wrong, Status::NotCompiled, Status::Refused];
     let kinds = kinds.map(|kind| (count(kind), kind.name())).into_iter().filter(|(count, _)| *count > 0);
     let kinds: Vec<String> = kinds.map(|(count, name)| format!("{count} {name}")).collect();
-    text + &format!("\n{} submissions: {}\n", reports.len(), kinds.join(", "))
+    text += &format!("\n{}: {}\n", counted(reports.len(), "submission"), kinds.join(", "));
+    if reports.len() > 1 {
+        text += &by_exercise(reports);
+    }
+    text
 }
 
-/// What a hole of the hand-out says.
-const UNTOUCHED: &str = ": not yet implemented: ";
+/// For each exercise how many have all its points, and the mistake that most of them make.
+fn by_exercise(reports: &[Report]) -> String {
+    let mut exercises: BTreeMap<&str, Vec<&Report>> = BTreeMap::new();
+    for it in reports.iter().filter(|it| !it.exercise.is_empty()) {
+        exercises.entry(&it.exercise).or_default().push(it);
+    }
+    let line = |(exercise, all): (&str, Vec<&Report>)| {
+        let full = all.iter().filter(|it| it.status == Status::Right).count();
+        let mut mistakes: BTreeMap<&str, usize> = BTreeMap::new();
+        for (name, _) in all.iter().filter_map(|it| it.mistake.as_ref()) {
+            *mistakes.entry(name).or_default() += 1;
+        }
+        // of those that are equally common the first by name
+        let most = mistakes.iter().min_by_key(|&(_, &count)| Reverse(count));
+        let most = most.map(|(name, &count)| format!("; most often {name}, {}", counted(count, "time")));
+        format!("  {exercise}: {full} of {} with all the points{}\n", all.len(), most.unwrap_or_default())
+    };
+    exercises.into_iter().map(line).collect()
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
 
 /// What stands behind the points.
 fn remark(report: &Report) -> String {
     let mistake = report.mistake.as_ref().map(|(name, _)| format!(" ({name})")).unwrap_or_default();
     match (report.status, &report.wrong) {
         (Status::Right, _) => String::new(),
-        (Status::Wrong, Some(it)) if it.got.contains(UNTOUCHED) => {
-            let place = it.got.strip_prefix("a panic at ").and_then(|rest| rest.split(UNTOUCHED).next());
-            format!("{}: not done yet, {} still asks", it.property, place.unwrap_or("it"))
-        }
-        (Status::Wrong, Some(it)) => {
-            let (expected, got) = (one_line(&it.expected, 40), one_line(&it.got, 90));
-            format!("{}: {} should be {expected}; got {got}{mistake}", it.property, symbol(&it.symbol))
-        }
+        (Status::Wrong, Some(it)) => match &it.end {
+            Some(End::Asks(place)) => format!("{}: not done yet, {place} still asks", it.property),
+            Some(End::Program(how)) => format!("{}: for {}, {how}", it.property, one_line(&it.given, 60)),
+            None => {
+                let (expected, got) = (one_line(&it.expected, 40), one_line(&it.got, 90));
+                format!("{}: {} should be {expected}; got {got}{mistake}", it.property, symbol(&it.symbol))
+            }
+        },
         // the compiler names the file in its second line
         (Status::NotCompiled, _) => {
             let lines: Vec<&str> = report.output.lines().take(2).map(str::trim).collect();
@@ -65,7 +93,23 @@ bob, \"the\" second  ray-sphere/closest-approach  1 of 3  from inside: t_close s
 =HYPERLINK(\"x\")                                 0 of 0  it is no hand-out
 
 3 submissions: 1 right, 1 wrong, 1 refused
+  ray-sphere/closest-approach: 1 of 2 with all the points; most often direction-not-unit, 1 time
 ";
         assert_eq!(text(&three()), by_hand);
+        assert!(text(&three()[..1]).ends_with("\n1 submission: 1 right\n"));
+    }
+
+    #[test]
+    fn the_end_of_a_program_is_told_with_its_case_and_a_hole_with_its_place() {
+        let ended = |end: End| {
+            let mut report = three().swap_remove(1);
+            report.mistake = None;
+            report.wrong.as_mut().unwrap().end = Some(end);
+            remark(&report)
+        };
+        let crashed = ended(End::Program("the program crashed (SIGSEGV)".into()));
+        assert_eq!(crashed, "from inside: for o = (0, 0, 4), the program crashed (SIGSEGV)");
+        let asks = ended(End::Asks("src/a.rs:3".into()));
+        assert_eq!(asks, "from inside: not done yet, src/a.rs:3 still asks");
     }
 }
