@@ -1,4 +1,5 @@
-//! Runs a program that may do anything, for so long and no longer, and reads so much and no more.
+//! Runs a program that may do anything, for so long and no longer, and reads so much and no more. What it
+//! starts ends with it, and it ends with us.
 
 use std::io::{self, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -48,11 +49,14 @@ pub(crate) fn watch(command: &mut Command, patience: &Patience) -> io::Result<En
     // what nobody reads goes nowhere: a program would stumble over a pipe that is closed
     let pipe = |most: u64| if most == 0 { Stdio::null() } else { Stdio::piped() };
     command.stdin(Stdio::null()).stdout(pipe(patience.stdout)).stderr(pipe(patience.stderr));
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(command, 0);
     let child = command.spawn()?;
-    watch_child(child, patience)
+    let leash = Leash::on(&child);
+    watch_child(child, leash, patience)
 }
 
-fn watch_child(mut child: Child, patience: &Patience) -> io::Result<Ended> {
+fn watch_child(mut child: Child, leash: Leash, patience: &Patience) -> io::Result<Ended> {
     let stdout = child.stdout.take().map(|pipe| first(pipe, patience.stdout));
     let stderr = child.stderr.take().map(|pipe| first(pipe, patience.stderr));
     let until = Instant::now() + patience.wall;
@@ -69,7 +73,40 @@ fn watch_child(mut child: Child, patience: &Patience) -> io::Result<Ended> {
             }
         }
     };
+    drop(leash);
     Ok(Ended { status, stdout: all_of(stdout), stderr: all_of(stderr) })
+}
+
+/// Ends what is left of a child's process group when it is dropped, and also when this program ends in any
+/// way, Ctrl-C included: a shell waits at the end of a pipe that nobody writes to.
+struct Leash(Option<Child>);
+
+impl Leash {
+    fn on(child: &Child) -> Leash {
+        #[cfg(unix)]
+        {
+            let mut shell = Command::new("sh");
+            shell.args(["-c", "read -r end; kill -s KILL -- \"-$1\"", "sh"]).arg(child.id().to_string());
+            shell.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
+            // Ctrl-C in a terminal is for us, not for the shell
+            std::os::unix::process::CommandExt::process_group(&mut shell, 0);
+            Leash(shell.spawn().ok())
+        }
+        #[cfg(not(unix))]
+        {
+            let _ = child;
+            Leash(None)
+        }
+    }
+}
+
+impl Drop for Leash {
+    fn drop(&mut self) {
+        if let Some(shell) = &mut self.0 {
+            drop(shell.stdin.take());
+            let _ = shell.wait();
+        }
+    }
 }
 
 /// Reads the first `most` bytes on a thread of its own, piece by piece. Then the pipe is closed, so that
@@ -136,5 +173,17 @@ mod tests {
         let ended = sh("sleep 20 & echo one", 10_000, 100);
         assert!(ended.well() && began.elapsed() < Duration::from_secs(10));
         assert_eq!(ended.stdout, b"one\n");
+    }
+
+    #[test]
+    fn what_it_started_ends_with_it() {
+        let there = |argument: &str| {
+            let mut pgrep = Command::new("pgrep");
+            pgrep.args(["-f", &format!("^sleep {argument}")]).output().unwrap().status.success()
+        };
+        let ended = sh("sleep 77.321 & sleep 77.321 & wait", 300, 100);
+        assert!(ended.status.is_none() && !there("77.321"), "it was stopped");
+        let ended = sh("sleep 77.322 & echo one", 10_000, 100);
+        assert!(ended.well() && !there("77.322"), "it ended by itself");
     }
 }
