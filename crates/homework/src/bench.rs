@@ -9,7 +9,7 @@ use exercise::{Answer, Sheet};
 use stage::{Error, Scratch};
 
 use crate::attempt::{Outcome, ending, questions, whole};
-use crate::limits::{BASE, COMPILE, RUN};
+use crate::limits::{BASE, COMPILE, MOST_SAID, RUN};
 use crate::sandbox::Sandbox;
 use crate::{Catalog, Exercise, cargo, folder, start};
 
@@ -38,6 +38,8 @@ const NOT_OURS: i32 = 89;
 const NOT_IN_PLACE: i32 = 90;
 /// Cargo had something to say.
 const NOT_BUILT: i32 = 91;
+/// What cargo started had its time of a processor.
+const TOO_SLOW: i32 = 92;
 
 /// What the program prints goes nowhere; its answers go through a pipe that is the sandbox's own, as they
 /// come. A process that it left behind may hold the pipe: it is not waited for.
@@ -132,25 +134,30 @@ impl<'a> Bench<'a> {
             [(self.toolchain.as_path(), "/toolchain"), (&base.packed, "/base.tar"), (&src, "/student")];
         let script = format!(
             "{CARGO} tar -x -f /base.tar || exit {NOT_OURS}; cp -r /student/. src/ || exit {NOT_IN_PLACE}; \
-             cargo build --quiet --offline --jobs 1 >&2 || exit {NOT_BUILT}; cat target/debug/{}",
+             cargo build --quiet --offline --jobs 1 2>tmp/said || {{ \
+             tail -c 9999 tmp/said | grep -q \"signal: 24\" && exit {TOO_SLOW}; \
+             head -c {MOST_SAID} tmp/said >&2; exit {NOT_BUILT}; }}; cat target/debug/{}",
             exercise.manifest.chapter
         );
         let built = self.sandbox.run(&COMPILE, &shown, &script).map_err(|error| bwrap(&error))?;
         let said = || String::from_utf8_lossy(&built.stderr).trim_end().to_string();
         match built.status.map(|status| status.code()) {
             Some(Some(0)) => {}
-            None => {
-                let seconds = COMPILE.wall.as_secs();
-                return Ok(Outcome::Refused(format!("compiling it was stopped after {seconds} seconds")));
+            None => return Ok(stopped(format!("after {} seconds", COMPILE.wall.as_secs()))),
+            // whoever wrote so much lost the reader
+            _ if built.stdout.len() as u64 >= COMPILE.output => {
+                let mebibytes = COMPILE.output >> 20;
+                return Ok(Outcome::Refused(format!("its program has more than {mebibytes} MiB")));
+            }
+            Some(Some(TOO_SLOW)) => {
+                let seconds = COMPILE.cpu.as_secs();
+                return Ok(stopped(format!("when it had taken {seconds} seconds of a processor")));
             }
             Some(Some(NOT_BUILT)) => return Ok(Outcome::NotBuilt(said())),
             Some(Some(NOT_IN_PLACE)) => {
                 return Ok(Outcome::Refused(format!("it cannot be put in place: {}", said())));
             }
             Some(_) => return Err(Error::Failed(format!("the sandbox does not work: {}", said()))),
-        }
-        if built.stdout.len() as u64 >= COMPILE.output {
-            return Ok(Outcome::Refused("the program is too large".to_string()));
         }
         write(&program, &built.stdout)?;
         executable(&program)?;
@@ -162,9 +169,9 @@ impl<'a> Bench<'a> {
         let said = String::from_utf8_lossy(&ran.stderr);
         let status = said.lines().last().and_then(|line| line.trim().parse().ok());
         let ending = match (ran.status, status) {
-            (None, _) => ending(None, RUN.wall),
-            (Some(_), Some(status)) => ending(Some(status), RUN.wall),
-            (Some(_), None) => "it ended its own sandbox".to_string(),
+            (None, _) => ending(None, RUN.wall, Some(RUN.cpu)),
+            (Some(_), Some(status)) => ending(Some(status), RUN.wall, Some(RUN.cpu)),
+            (Some(_), None) => "the program ended its own sandbox, or took all its processes".to_string(),
         };
         Ok(Outcome::Answered(whole(&ran.stdout, &base.sheet, &ending)))
     }
@@ -179,7 +186,8 @@ impl<'a> Bench<'a> {
 fn vendor(project: &Path) -> Result<(), Error> {
     cargo::run(cargo::cargo(project, "fetch").arg("--quiet"), "fetch what the hand-out needs")?;
     let mut vendor = cargo::cargo(project, "vendor");
-    vendor.args(["--quiet", "--offline", "--respect-source-config", "--versioned-dirs", "vendor"]);
+    vendor.args(["--quiet", "--offline", "--respect-source-config", "--versioned-dirs"]);
+    vendor.arg(cargo::whole(&project.join("vendor")));
     cargo::run(&mut vendor, "copy what the hand-out needs")?;
     let mut files = Files::new();
     files.insert(".cargo/config.toml".into(), VENDORED.into());
@@ -203,6 +211,10 @@ fn executable(path: &Path) -> Result<(), Error> {
     }
     let _ = path;
     Ok(())
+}
+
+fn stopped(when: String) -> Outcome {
+    Outcome::Refused(format!("compiling it was stopped {when}, which is the limit"))
 }
 
 fn bwrap(error: &std::io::Error) -> Error {

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
+use cutter::source::Files;
 use stage::Error;
 
 use crate::attempt::{Outcome, in_the_open};
@@ -31,18 +32,26 @@ pub fn check(attempt: &Path, ask: CheckAsk, output: &mut dyn Write) -> Result<bo
         return Err(Error::Request(format!("{}: {why}", exercise.manifest.name)));
     }
     let students = folder::students(attempt)?;
+    exercise.has_part(&catalog, &students)?;
     // the student's files in a hand-out as it was, so that nothing else matters
     let mut files = hand_out(&catalog, exercise)?;
+    let changed = changed(attempt, &files, &exercise.manifest.file);
     files.extend(students.iter().map(|(name, text)| (format!("src/{name}"), text.clone())));
     let sheet = exercise.sheet();
     let colors = !ask.json && io::stderr().is_terminal();
     let outcome = in_the_open(&attempt.join("target/checked"), &files, exercise, &sheet, colors)?;
-    let report = Report::of(&Submission::at(attempt), exercise, &sheet, &outcome);
+    let mut report = Report::of(&Submission::at(attempt), exercise, &sheet, &outcome);
+    if let Some(note) = &changed {
+        report.output += &format!("\n\n{note}");
+    }
     let right = report.status == Status::Right;
     if ask.json {
         output.write_all(json_of(&report).as_bytes()).map_err(Error::from_output)?;
     } else {
         say(exercise, &report, &outcome, output).map_err(Error::from_output)?;
+        if let (Some(note), Outcome::NotBuilt(_)) = (&changed, &outcome) {
+            writeln!(output, "\n{note}").map_err(Error::from_output)?;
+        }
     }
     if matches!(outcome, Outcome::Answered(_)) {
         remember(attempt, report.score, report.points);
@@ -56,6 +65,25 @@ pub fn check(attempt: &Path, ask: CheckAsk, output: &mut dyn Write) -> Result<bo
         placed::trade(&catalog, exercise, attempt, &students, if ask.json { &mut errors } else { output })?;
     }
     Ok(right)
+}
+
+/// The files that are put there anew and that a student may take for theirs.
+const GIVEN: [&str; 4] = ["src/lib.rs", "src/main.rs", "src/probe.rs", "Cargo.toml"];
+
+/// What is said of given files that are not as they were handed out: it does not count, here or in a grade.
+fn changed(attempt: &Path, hand_out: &Files, part: &str) -> Option<String> {
+    let differs = |name: &&str| {
+        let (Ok(here), Some(given)) = (folder::text(&attempt.join(name)), hand_out.get(*name)) else {
+            return false;
+        };
+        // an editor may have its own ends of lines
+        !here.trim_end().lines().eq(given.trim_end().lines())
+    };
+    let names: Vec<&str> = GIVEN.into_iter().filter(differs).collect();
+    let remedy = format!("a module of your own is declared in src/{part}, where it is used");
+    (!names.is_empty()).then(|| {
+        format!("Not as handed out, so put there anew, as in grading: {}. ({remedy}.)", names.join(", "))
+    })
 }
 
 fn say(exercise: &Exercise, report: &Report, outcome: &Outcome, output: &mut dyn Write) -> io::Result<()> {
@@ -107,5 +135,24 @@ fn progress(catalog: &Catalog, attempt: &Path, output: &mut dyn Write) -> io::Re
     match next {
         Some(next) => writeln!(output, "The next one in the order of the book: {}", next.manifest.name),
         None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_put_there_anew_is_told_where_it_was_changed() {
+        let attempt = tempfile::tempdir().unwrap();
+        let files =
+            ["src/lib.rs", "src/main.rs", "Cargo.toml"].map(|name| (name.to_string(), "a\nb\n".to_string()));
+        let files = Files::from(files);
+        folder::write(&files, attempt.path()).unwrap();
+        fs::write(attempt.path().join("src/main.rs"), "a\r\nb").unwrap();
+        assert_eq!(changed(attempt.path(), &files, "part.rs"), None);
+        fs::write(attempt.path().join("src/lib.rs"), "a\nmod helper;\nb\n").unwrap();
+        let note = changed(attempt.path(), &files, "part.rs").unwrap();
+        assert!(note.contains(": src/lib.rs.") && note.contains("src/part.rs"), "{note}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, ErrorKind, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use cutter::source::Files;
 use stage::Error;
@@ -33,7 +33,13 @@ pub(crate) fn write(files: &Files, folder: &Path) -> Result<(), Error> {
 pub(crate) fn students(folder: &Path) -> Result<Files, Error> {
     let mut files = Files::new();
     let src = folder.join("src");
-    let kind = fs::symlink_metadata(&src).map_err(|error| failed("look into", &src, error))?;
+    let kind = fs::symlink_metadata(&src).map_err(|error| match error.kind() {
+        ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            let why = "it has no folder src, where the student's files belong";
+            Error::Request(format!("{}: {why}", folder.display()))
+        }
+        _ => failed("look into", &src, error),
+    })?;
     if !kind.is_dir() {
         return Err(Error::Request(format!(
             "{}: it is a link or no folder: only folders are taken",
@@ -55,6 +61,10 @@ pub(crate) fn students(folder: &Path) -> Result<Files, Error> {
                 _ if GIVEN.contains(&name.as_str()) || !name.ends_with(".rs") => {}
                 _ if !kind.is_file() => {
                     let why = "it is a link or no file: only files are taken";
+                    return Err(Error::Request(format!("{}: {why}", entry.path().display())));
+                }
+                _ if entry.file_name().to_str().is_none() => {
+                    let why = "its name is no text in UTF-8";
                     return Err(Error::Request(format!("{}: {why}", entry.path().display())));
                 }
                 _ => {
@@ -106,8 +116,13 @@ pub(crate) fn first(path: &Path, most: u64) -> io::Result<Vec<u8>> {
 /// The name of the exercise that a folder was handed out for.
 pub(crate) fn exercise_of(folder: &Path) -> Result<String, Error> {
     let path = folder.join("expected.txt");
-    if fs::symlink_metadata(folder).is_err() {
-        return Err(Error::Request(format!("{}: there is no such folder", folder.display())));
+    match fs::metadata(folder) {
+        Ok(kind) if kind.is_dir() => {}
+        Ok(_) => {
+            let why = "it is no folder; what is packed has to be unpacked first";
+            return Err(Error::Request(format!("{}: {why}", folder.display())));
+        }
+        Err(_) => return Err(Error::Request(format!("{}: there is no such folder", folder.display()))),
     }
     if fs::symlink_metadata(&path).is_err() {
         let why = "it is no hand-out, for it has no expected.txt; name the folder that `exercise start` made";
@@ -120,14 +135,14 @@ pub(crate) fn exercise_of(folder: &Path) -> Result<String, Error> {
 }
 
 /// A new folder for a hand-out: it must not be there yet, or be empty.
-pub(crate) fn new(folder: &Path) -> Result<PathBuf, Error> {
+pub(crate) fn new(folder: &Path) -> Result<(), Error> {
     let empty = match fs::read_dir(folder) {
         Ok(mut entries) => entries.next().is_none(),
         Err(error) if error.kind() == ErrorKind::NotFound => true,
         Err(error) => return Err(failed("look into", folder, error)),
     };
     match empty {
-        true => Ok(folder.to_path_buf()),
+        true => Ok(()),
         false => {
             let why = "there is something in it already; name a new folder with --into";
             Err(Error::Failed(format!("{}: {why}", folder.display())))
@@ -141,6 +156,7 @@ pub(crate) fn failed(what: &str, path: &Path, error: io::Error) -> Error {
             "; copy the folder to where you may write"
         }
         ErrorKind::StorageFull => "; free some space",
+        ErrorKind::NotADirectory => "; name a folder",
         _ => "",
     };
     Error::Failed(format!("cannot {what} {}: {error}{remedy}", path.display()))
@@ -191,7 +207,7 @@ mod tests {
         };
         refused(b"src/c.rs", &pipe, "only files are taken");
         refused(b"src/c.rs", &|path| fs::write(path, b"\xff\xfe").unwrap(), "no text in UTF-8");
-        refused(b"src/\xff.rs", &|path| fs::write(path, b"\xff").unwrap(), "no text in UTF-8");
+        refused(b"src/\xff.rs", &|path| fs::write(path, b"a").unwrap(), "its name is no text in UTF-8");
         refused(
             b"src/c.rs",
             &|path| fs::write(path, vec![b' '; 2 << 20]).unwrap(),

@@ -6,7 +6,9 @@ use std::time::Duration;
 /// What the sandbox gives, and no more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
-    /// By the clock.
+    /// Of a processor, for each process: it is the same however busy the machine is.
+    pub(crate) cpu: Duration,
+    /// By the clock, for what waits in place of computing.
     pub(crate) wall: Duration,
     /// Bytes of memory that a process has for itself; with its program and what it shares, half as much
     /// again.
@@ -34,7 +36,8 @@ const MIB: u64 = 1 << 20;
 
 /// What comes along with an exercise is built once, before anybody waits: of it nothing is hostile.
 pub(crate) const BASE: Limits = Limits {
-    wall: Duration::from_secs(600),
+    cpu: Duration::from_secs(600),
+    wall: Duration::from_secs(3600),
     memory: 3072 * MIB,
     processes: 128,
     open_files: 1024,
@@ -44,9 +47,10 @@ pub(crate) const BASE: Limits = Limits {
     output: 1024 * MIB,
 };
 
-/// Compiling a student's files takes a second or two, and 300 MB.
+/// Compiling a student's files takes two or three seconds, and 300 MB.
 pub(crate) const COMPILE: Limits = Limits {
-    wall: Duration::from_secs(60),
+    cpu: Duration::from_secs(40),
+    wall: Duration::from_secs(240),
     memory: 1536 * MIB,
     processes: 64,
     open_files: 512,
@@ -56,11 +60,13 @@ pub(crate) const COMPILE: Limits = Limits {
     output: 64 * MIB,
 };
 
-/// All cases of an exercise take some milliseconds, and next to no memory.
+/// All cases of an exercise take some milliseconds, and next to no memory. Whatever an attempt does, all its
+/// processes together have 1.5 GiB: the address space of one, so many times.
 pub(crate) const RUN: Limits = Limits {
-    wall: Duration::from_secs(10),
-    memory: 256 * MIB,
-    processes: 16,
+    cpu: Duration::from_secs(5),
+    wall: Duration::from_secs(20),
+    memory: 128 * MIB,
+    processes: 8,
     open_files: 64,
     file: 4 * MIB,
     disk: 16 * MIB,
@@ -75,8 +81,11 @@ const OURS: u32 = 4;
 impl Limits {
     /// `prlimit` with what it sets for the command that follows.
     pub(crate) fn prlimit(&self) -> Vec<OsString> {
-        let Limits { memory, processes, open_files, file, .. } = self;
+        let Limits { cpu, memory, processes, open_files, file, .. } = self;
+        let cpu = cpu.as_secs();
         let limits = [
+            // whoever does not go when asked has one second more
+            format!("--cpu={cpu}:{}", cpu + 1),
             format!("--as={}", memory / 2 * 3),
             format!("--data={memory}"),
             format!("--nproc={}", processes + OURS),

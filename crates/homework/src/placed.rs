@@ -44,7 +44,8 @@ pub(crate) fn trade(
     // the terminal is the compiler's meanwhile
     let mut build = cargo::cargo(&placed, "build");
     build
-        .args(["--quiet", "--release", "--target-dir", "target", "-p", &manifest.chapter])
+        .args(["--quiet", "--release", "-p", &manifest.chapter, "--target-dir"])
+        .arg(cargo::whole(&placed.join("target")))
         .stdin(Stdio::null());
     if !build.status().map_err(cargo::missing)?.success() {
         let why =

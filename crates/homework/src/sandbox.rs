@@ -31,6 +31,8 @@ use crate::process::{Ended, Patience, watch};
 pub(crate) struct Sandbox {
     /// The folders of the system, as they are here.
     system: Vec<OsString>,
+    /// What is shown nowhere, though it may lie in a folder that is shown.
+    hidden: Vec<PathBuf>,
     /// Whether we are the superuser.
     superuser: bool,
 }
@@ -39,11 +41,15 @@ pub(crate) struct Sandbox {
 pub(crate) type Shown<'a> = (&'a Path, &'a str);
 
 impl Sandbox {
-    /// The sandbox of this machine, tried. [`Error::Failed`] says why there is none, and what would help.
-    pub(crate) fn find() -> Result<Sandbox, Error> {
+    /// The sandbox of this machine, tried. Where a `hidden` folder lies in one that is shown, as a checkout
+    /// below `/usr/src` does, an empty one is in its place. [`Error::Failed`] says why there is no sandbox,
+    /// and what would help.
+    pub(crate) fn find(hidden: &[PathBuf]) -> Result<Sandbox, Error> {
         // the folder belongs to whoever we are
         let superuser = Command::new("id").arg("-u").output().is_ok_and(|it| it.stdout == b"0\n");
-        let sandbox = Sandbox { system: system(), superuser };
+        let mut hidden: Vec<PathBuf> = hidden.iter().filter_map(|path| path.canonicalize().ok()).collect();
+        hidden.retain(|path| path.is_dir());
+        let sandbox = Sandbox { system: system(), hidden, superuser };
         let tried = sandbox.run(&RUN, &[], "echo within");
         let why = match tried {
             Ok(ended) if ended.well() && ended.stdout == b"within\n" => return Ok(sandbox),
@@ -80,6 +86,11 @@ impl Sandbox {
         first.extend(self.system.iter().cloned());
         for (ours, path) in shown {
             first.extend(["--ro-bind".into(), ours.as_os_str().into(), path.into()]);
+        }
+        let system = SYSTEM.map(|path| (Path::new(path), path));
+        for cover in covers(&self.hidden, system.iter().chain(shown)) {
+            first.extend(words("--perms 0755 --tmpfs").into_iter().chain([cover.clone().into()]));
+            first.extend(["--remount-ro".into(), cover.into()]);
         }
         // bwrap needs a /tmp for itself; /proc has to be seen whole for another one to be mounted
         first.extend(words(
@@ -134,10 +145,29 @@ fn words(text: &str) -> Vec<OsString> {
     text.split_whitespace().map(OsString::from).collect()
 }
 
+/// What of the system is shown.
+const SYSTEM: [&str; 7] = ["/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"];
+
+/// Where the hidden folders would be seen, the outermost of each; what is shown as a whole is meant to be.
+fn covers<'a>(hidden: &[PathBuf], shown: impl Iterator<Item = &'a Shown<'a>>) -> Vec<PathBuf> {
+    let mut covers = Vec::new();
+    for (ours, path) in shown {
+        // a link is shown as a link
+        let folder = !fs::symlink_metadata(ours).is_ok_and(|it| it.is_symlink());
+        let ours = ours.canonicalize().ok().filter(|_| folder);
+        let within = |it: &PathBuf| it.strip_prefix(ours.as_ref()?).ok().map(Path::to_path_buf);
+        let within = hidden.iter().filter_map(within).filter(|it| !it.as_os_str().is_empty());
+        covers.extend(within.map(|it| Path::new(path).join(it)));
+    }
+    covers.sort();
+    covers.dedup_by(|inner, outer| inner.starts_with(outer));
+    covers
+}
+
 /// The folders of the system that programs need, as arguments of bwrap; what is a link here is a link there.
 fn system() -> Vec<OsString> {
-    let mut arguments = words("--ro-bind /usr /usr");
-    for path in ["/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"] {
+    let mut arguments = Vec::new();
+    for path in SYSTEM {
         match (fs::read_link(path), Path::new(path).is_dir()) {
             (Ok(target), _) => arguments.extend(["--symlink".into(), target.into(), path.into()]),
             (Err(_), true) => arguments.extend(["--ro-bind".into(), path.into(), path.into()]),
@@ -160,7 +190,11 @@ mod tests {
 
     /// What a script says in the sandbox; `None`, and a word, where there is none.
     fn says(script: &str) -> Option<String> {
-        match Sandbox::find() {
+        says_without(&[], script)
+    }
+
+    fn says_without(hidden: &[PathBuf], script: &str) -> Option<String> {
+        match Sandbox::find(hidden) {
             Ok(sandbox) => {
                 let ended = sandbox.run(&RUN, &[], script).unwrap();
                 Some(String::from_utf8_lossy(&ended.stdout).trim().to_string())
@@ -180,6 +214,33 @@ mod tests {
         let here = env!("CARGO_MANIFEST_DIR").split('/').nth(1).unwrap();
         assert!(here == "work" || !seen.contains(&format!("/{here}/")) || here == "tmp", "{seen}");
         assert!(!seen.contains("/root/ ") && !seen.contains("/home/ "), "{seen}");
+    }
+
+    #[test]
+    fn what_is_hidden_in_what_is_shown_is_an_empty_folder() {
+        let hidden = ["/usr/share", "/usr/share/doc", "/usr/lib/no such folder"].map(PathBuf::from);
+        let script =
+            "ls -A /usr/share | wc -l; echo x 2>/dev/null >/usr/share/x || echo closed; ls /usr | wc -l";
+        let Some(said) = says_without(&hidden, script) else { return };
+        let lines: Vec<&str> = said.lines().collect();
+        assert!(lines[..2] == ["0", "closed"] && lines[2] != "0", "{said}");
+    }
+
+    #[test]
+    fn a_folder_is_covered_wherever_it_would_be_seen() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path().canonicalize().unwrap();
+        let [secret, inner, toolchain, other] =
+            ["a/secret", "a/secret/inner", "a/toolchain", "b"].map(|name| folder.join(name));
+        for path in [&inner, &toolchain, &other] {
+            fs::create_dir_all(path).unwrap();
+        }
+        let hidden = [inner.clone(), secret.clone(), folder.clone()];
+        let (a, shown) = (folder.join("a"), |path| Path::new("/usr").join(path));
+        let seen: [Shown; 3] = [(&a, "/usr"), (&toolchain, "/toolchain"), (&other, "/other")];
+        // what is shown from within a hidden folder is meant to be
+        assert_eq!(covers(&hidden, seen.iter()), [shown("secret")]);
+        assert!(covers(&[], seen.iter()).is_empty());
     }
 
     #[test]

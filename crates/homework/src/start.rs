@@ -1,45 +1,58 @@
 //! Hands an exercise out.
 
+use std::env;
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::{self, Path};
 
+use cutter::source::Files;
 use exercise::Sheet;
-use stage::Error;
+use stage::{Error, Scratch};
 
 use crate::{Catalog, Exercise, folder};
 
-/// Writes a hand-out to a new folder, whole or not at all.
+/// Writes a hand-out to a new folder, or into an empty one: whole or, where it fails or is interrupted, not
+/// at all.
 pub fn start(name: &str, into: &Path, output: &mut dyn Write) -> Result<(), Error> {
     let catalog = Catalog::read()?;
     let exercise = catalog.find(name)?;
-    let into = folder::new(into)?;
-    let files = hand_out(&catalog, exercise)?;
-    let beside = beside(&into);
-    let done = folder::write(&files, &beside).and_then(|()| {
-        // an empty folder may be there
-        let _ = fs::remove_dir(&into);
-        fs::rename(&beside, &into).map_err(|error| folder::failed("make", &into, error))
-    });
-    if done.is_err() {
-        let _ = fs::remove_dir_all(&beside);
-    }
-    done?;
+    folder::new(into)?;
+    put(&hand_out(&catalog, exercise)?, into)?;
     let manifest = &exercise.manifest;
-    writeln!(
-        output,
-        "{}: {}\nIt is in {}, about {} minutes. Read README.md there, then:\n  cd {} && cargo run",
-        manifest.name,
-        manifest.title,
-        into.display(),
-        manifest.minutes,
-        into.display()
-    )
-    .map_err(Error::from_output)
+    let (into, here) = (into.display(), into.canonicalize().ok() == env::current_dir().ok());
+    let go = if here { String::new() } else { format!("cd {into} && ") };
+    let said = format!(
+        "{}: {}\nIt is in {into}, about {} minutes.",
+        manifest.name, manifest.title, manifest.minutes
+    );
+    writeln!(output, "{said} Read README.md there, then:\n  {go}cargo run").map_err(Error::from_output)
+}
+
+/// Writes files beside a folder first, and then gives them its name.
+fn put(files: &Files, into: &Path) -> Result<(), Error> {
+    let failed = |error| folder::failed("make", into, error);
+    let whole = path::absolute(into).map_err(failed)?;
+    let is_there = whole.is_dir();
+    // what is there may be a link, or the root of a disk: it is filled, and all others are made
+    let parent = if is_there { &whole } else { whole.parent().unwrap_or(&whole) };
+    fs::create_dir_all(parent).map_err(failed)?;
+    let new = || Ok(tempfile::Builder::new().prefix(".hand-out-").tempdir_in(parent)?.keep());
+    let beside = Scratch::new(new).map_err(failed)?;
+    // whoever may read such a folder is not for tempfile to say
+    let ready = beside.path().join("ready");
+    folder::write(files, &ready)?;
+    if !is_there {
+        return fs::rename(&ready, &whole).map_err(failed);
+    }
+    for entry in fs::read_dir(&ready).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        fs::rename(entry.path(), whole.join(entry.file_name())).map_err(failed)?;
+    }
+    Ok(())
 }
 
 /// The files of a hand-out.
-pub fn hand_out(catalog: &Catalog, exercise: &Exercise) -> Result<cutter::source::Files, Error> {
+pub fn hand_out(catalog: &Catalog, exercise: &Exercise) -> Result<Files, Error> {
     let shown = exercise.shown();
     let files = cutter::hand_out(&exercise.manifest, &catalog.source, shown.to_text(), &transcript(&shown));
     files.map_err(Error::Failed)
@@ -56,8 +69,31 @@ fn transcript(sheet: &Sheet) -> String {
     text
 }
 
-/// A name beside a folder, for what is not whole yet.
-fn beside(folder: &Path) -> PathBuf {
-    let name = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    folder.with_file_name(format!(".{name}.{}", std::process::id()))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_whole_or_not_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = Files::from([("src/a.rs".to_string(), "a".to_string())]);
+        let names = |path: &Path| -> Vec<_> {
+            fs::read_dir(path).unwrap().map(|entry| entry.unwrap().file_name()).collect()
+        };
+        let (new, empty) = (folder.path().join("far/new"), folder.path().join("empty"));
+        fs::create_dir(&empty).unwrap();
+        for into in [&new, &empty] {
+            put(&files, into).unwrap();
+            assert_eq!(fs::read_to_string(into.join("src/a.rs")).unwrap(), "a");
+            assert_eq!(names(into), ["src"]);
+        }
+        assert_eq!(names(&folder.path().join("far")), ["new"], "nothing is left beside it");
+
+        // "src" is a file and cannot be a folder: nothing of it is left
+        let both =
+            Files::from([("src", "a"), ("src/a.rs", "a")].map(|(a, b)| (a.to_string(), b.to_string())));
+        let into = folder.path().join("far/other");
+        assert!(put(&both, &into).is_err());
+        assert_eq!(names(&folder.path().join("far")), ["new"]);
+    }
 }

@@ -32,6 +32,16 @@ fn a_class_is_graded() {
     fs::write(class.path("file.zip"), "PK").unwrap();
     let other = class.right("of no exercise");
     fs::write(other.join("expected.txt"), "exercise\t../../etc/passwd\n").unwrap();
+    let another = class.right("of another exercise");
+    fs::rename(another.join("src/closest_approach.rs"), another.join("src/quadratic.rs")).unwrap();
+    // a name that is longer in UTF-8 than a file may have it
+    #[cfg(target_os = "linux")]
+    {
+        use std::os::unix::ffi::OsStrExt;
+        let folder = class.right("long name").join("src").join(std::ffi::OsStr::from_bytes(&[0xff; 200]));
+        fs::create_dir(&folder).unwrap();
+        fs::write(folder.join("a.rs"), "").unwrap();
+    }
 
     let Some(grades) = class.grades() else { return };
     grades.says("right", 9, "right", "All of it is right.");
@@ -42,14 +52,21 @@ fn a_class_is_graded() {
     grades.says("panics", 0, "wrong", "a panic at src/closest_approach.rs:");
     assert!(!grades.said("panics").contains('\x1b'));
     // what was answered before it came to the sphere that it cannot do counts: 1 + 2 + 1 + 1
-    grades.says("loops", 5, "wrong", "stopped after 10 seconds");
+    grades.says("loops", 5, "wrong", "computed for 5 seconds");
     grades.says("forger", 2, "wrong", "surface-for-center");
+    // the case that ended it, and no symbol
+    let first = &grades.of("loops")["first_wrong"];
+    assert!(first["symbol"] == "" && first["given"].as_str().unwrap().ends_with("r = 3"), "{first:#}");
     grades.says("empty", 0, "refused", "no expected.txt");
-    grades.says("file.zip", 0, "refused", "file.zip");
+    grades.says("file.zip", 0, "refused", "unpacked first");
+    grades.says("of another exercise", 0, "refused", "src/closest_approach.rs is where the part");
+    #[cfg(target_os = "linux")]
+    grades.says("long name", 0, "refused", "cannot ");
     grades.says("of no exercise", 0, "refused", "there is no exercise");
 }
 
-/// The chapter's own code, handed in for every exercise at once, has all the points: no limit is too tight for any.
+/// The chapter's own code, handed in for every exercise at once, has all the points: no limit is too tight
+/// for any.
 #[test]
 #[ignore = "takes minutes: .ci/full runs it"]
 fn every_reference_has_all_the_points() {
