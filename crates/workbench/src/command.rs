@@ -30,6 +30,7 @@ pub fn main() -> ExitCode {
 
 /// Does what a command line asks, and writes the answer to `output`.
 pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> {
+    draws_where(matches)?;
     match matches.subcommand() {
         Some(("list", matches)) => list(stages::ALL, json(matches), output),
         Some(("exercise", matches)) => match matches.subcommand() {
@@ -59,6 +60,23 @@ pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> 
             run(&stages::named(&names), &folder(matches)?, output)
         }
         None => run(stages::ALL, &folder(matches)?, output),
+    }
+}
+
+/// `Err` where a folder for pictures is named for a verb that draws none.
+fn draws_where(matches: &ArgMatches) -> Result<(), Error> {
+    let remedy = match matches.subcommand() {
+        Some(("exercise", _)) => "name the folder of a hand-out with --into",
+        Some(("check", _)) => "with --trade the drawing is in the attempt's own folder",
+        Some(("grade" | "list", _)) => "to keep what is printed, write > FILE at the end",
+        _ => return Ok(()),
+    };
+    let (verb, matches) = matches.subcommand().unwrap_or(("", matches));
+    match matches.get_one::<PathBuf>("out") {
+        Some(_) => {
+            Err(Error::Request(format!("--out is for the pictures of run, and {verb} has none; {remedy}")))
+        }
+        None => Ok(()),
     }
 }
 
@@ -120,7 +138,7 @@ pub fn command() -> Command {
                 .long("into")
                 .value_name("DIR")
                 .value_parser(value_parser!(PathBuf))
-                .help("A new folder for it [default: STAGE-EXERCISE]"),
+                .help("A new folder for it, or an empty one [default: STAGE-EXERCISE]"),
         );
     let exercise = Command::new("exercise").about("List the exercises, or hand one out").subcommands([
         Command::new("list").about("Say what exercises there are").arg(
@@ -163,8 +181,8 @@ fn grade() -> Command {
         .about("Grade a class: build and run every submission in a sandbox, side by side")
         .after_help(
             "Of a submission only its own .rs files in src/ are taken, and put into a fresh hand-out. Each \
-             has 60 seconds to compile and 10 to run, 256 MB, no network, and sees nothing but the system \
-             and itself.\n\
+             has 40 seconds of a processor to compile and 5 to run, 128 MiB, no network, and sees nothing \
+             but the system and itself.\n\
              Exit status: 0 all were graded, whatever the grade; 1 that could not be done; 2 the request was \
              wrong",
         )
@@ -174,7 +192,7 @@ fn grade() -> Command {
                 .required(true)
                 .num_args(1..)
                 .value_parser(value_parser!(PathBuf))
-                .help("The submissions, a folder each; its name is the student's"),
+                .help("The submissions, a folder each; its name is the student's: CLASS/*"),
         )
         .arg(
             Arg::new("exercise")
@@ -259,6 +277,25 @@ mod tests {
         let error = command().try_get_matches_from(["workbench", "run", "ray-spear"]).unwrap_err();
         assert_eq!(error.exit_code(), 2);
         assert!(error.to_string().contains("ray-sphere"), "{error}");
+    }
+
+    #[test]
+    fn where_nothing_is_drawn_a_folder_for_pictures_is_refused() {
+        for verb in [
+            &["grade", "a"][..],
+            &["check", "a"],
+            &["exercise", "list"],
+            &["exercise", "start", "ray-wall/first-hit"],
+            &["list"],
+        ] {
+            let before = [&["workbench", "--out", "a"][..], verb].concat();
+            let after = [&["workbench"][..], verb, &["--out", "a"]].concat();
+            for arguments in [before, after] {
+                let arguments: Vec<&OsStr> = arguments.iter().map(AsRef::as_ref).collect();
+                let error = answer(&arguments).unwrap_err();
+                assert!(error.status() == 2 && error.to_string().contains("--out"), "{arguments:?}: {error}");
+            }
+        }
     }
 
     #[test]
