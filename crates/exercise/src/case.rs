@@ -19,7 +19,8 @@ impl<'a> Case<'a> {
 
     /// The number in a column.
     ///
-    /// NaN where there is no such column: a probe asks for those of its own exercise, and the tests see to it.
+    /// NaN where there is no such column: a probe asks for those of its own exercise, and the tests see to
+    /// it.
     pub fn number(&self, column: &str) -> f64 {
         let place = self.columns.iter().position(|name| name == column);
         place.and_then(|place| self.numbers.get(place)).copied().unwrap_or(f64::NAN)

@@ -19,8 +19,8 @@ pub struct Wrong {
     pub broken: Option<String>,
 }
 
-/// The first wrong step of the first row that has one; `None` where all is right. `answers` are what the code makes of
-/// the rows of `sheet`, in order; a row without an answer is wrong at its first step.
+/// The first wrong step of the first row that has one; `None` where all is right. `answers` are what the code
+/// makes of the rows of `sheet`, in order; a row without an answer is wrong at its first step.
 pub fn first_wrong(sheet: &Sheet, answers: &[Answer]) -> Option<Wrong> {
     let none = Answer::default();
     (0..sheet.rows.len()).find_map(|row| {

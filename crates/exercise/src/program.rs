@@ -51,8 +51,9 @@ pub fn run(probe: impl Fn(&Case, &mut Steps), case: &Case) -> Answer {
     Answer { steps, broken }
 }
 
-/// `cargo run`: shows what the code makes of its cases, up to the first value that is wrong, and says what to do next.
-/// With `--probe CASES ANSWERS` it writes answers to the cases of one file into another, for whoever judges.
+/// `cargo run`: shows what the code makes of its cases, up to the first value that is wrong, and says what to
+/// do next. With `--probe CASES ANSWERS` it writes answers to the cases of one file into another, for whoever
+/// judges.
 pub fn main(work: Work) -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
@@ -143,7 +144,8 @@ mod tests {
 
     use super::*;
 
-    const SHEET: &str = "exercise\tdouble/it\ncolumns\tx\nproperty\tpositive\t1\ncase\t2.0\nstep\ty\t2 x\tnumber\t4.0\t0.0\n\
+    const SHEET: &str = "exercise\tdouble/it\ncolumns\tx\nproperty\tpositive\t1\ncase\t2.0\n\
+                         step\ty\t2 x\tnumber\t4.0\t0.0\n\
                          property\tnegative\t1\ncase\t-3.0\nstep\ty\t2 x\tnumber\t-6.0\t0.0\n";
 
     fn shown(probe: Probe) -> String {

@@ -8,8 +8,8 @@
 //! step      t_close  u_r · (c − p_r)  number  3.1622776601683795  0.000000000000002
 //! ```
 //!
-//! The last field of a step is its tolerance. Answers have `case` with the number of the row, `step` without tolerances,
-//! and `broken` with a message and a place.
+//! The last field of a step is its tolerance. Answers have `case` with the number of the row, `step` without
+//! tolerances, and `broken` with a message and a place.
 
 use std::fmt::Write;
 
@@ -87,7 +87,8 @@ impl Sheet {
         text
     }
 
-    /// Reads what [`Sheet::to_text`] wrote. `Err` is the number of the first line, from 1, that is something else.
+    /// Reads what [`Sheet::to_text`] wrote. `Err` is the number of the first line, from 1, that is something
+    /// else.
     pub fn from_text(text: &str) -> Result<Sheet, usize> {
         let (exercise, columns, properties, rows) = (String::new(), Vec::new(), Vec::new(), Vec::new());
         let mut sheet = Sheet { exercise, columns, properties, rows };
@@ -127,9 +128,9 @@ impl Answer {
         text
     }
 
-    /// Reads the answers to `rows` rows, in whatever order they come; it trusts nothing. What does not read as an answer
-    /// is passed over, a row that comes twice counts as it came first, and a row that does not come has no answer:
-    /// `None`.
+    /// Reads the answers to `rows` rows, in whatever order they come; it trusts nothing. What does not read
+    /// as an answer is passed over, a row that comes twice counts as it came first, and a row that does not
+    /// come has no answer: `None`.
     pub fn all_from_text(text: &str, rows: usize) -> Vec<Option<Answer>> {
         let mut answers: Vec<Option<Answer>> = vec![None; rows];
         let mut row = None;

@@ -23,8 +23,8 @@ impl Value {
         }
     }
 
-    /// Whether `got` is this value where each number may be off by its `tolerance`. A number that is missing in
-    /// `tolerance`, an infinity and a NaN are to be met as they are.
+    /// Whether `got` is this value where each number may be off by its `tolerance`. A number that is missing
+    /// in `tolerance`, an infinity and a NaN are to be met as they are.
     pub fn is_met_by(&self, got: &Value, tolerance: &[f64]) -> bool {
         match (self, got) {
             (Value::Text(expected), Value::Text(got)) => expected == got,
@@ -81,7 +81,8 @@ pub(crate) fn one_line(text: &str) -> String {
     text.replace(|sign: char| sign.is_control(), " ")
 }
 
-/// How far `got` is from `expected`, in units of the last digit of `expected`; infinite where either is not finite.
+/// How far `got` is from `expected`, in units of the last digit of `expected`; infinite where either is not
+/// finite.
 pub fn ulps(expected: f64, got: f64) -> f64 {
     if expected == got {
         return 0.0;
