@@ -55,7 +55,7 @@ pub fn finish(result: Result<(), Error>) -> ExitCode {
 
 fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> {
     let about = stage.about();
-    let ask = ask(&about, matches);
+    let ask = asked(&about, matches);
     let format = matches.get_one::<String>("format").map_or("text", String::as_str);
     let done = match matches.subcommand() {
         Some((verb @ ("trade" | "eval"), _)) if ask.auto => {
@@ -217,7 +217,8 @@ pub fn report(shown: &Shown, picture: &Path, json: bool) -> String {
     }
 }
 
-fn ask(about: &About, matches: &ArgMatches) -> Ask {
+/// What a parsed command line of a stage asks of `show`.
+pub fn asked(about: &About, matches: &ArgMatches) -> Ask {
     let name = |flag| matches.get_one::<String>(flag).map(String::as_str);
     let method = about.methods.iter().position(|method| Some(*method) == name("method")).unwrap_or(0);
     let precision = if name("precision") == Some("f32") { Precision::F32 } else { Precision::F64 };

@@ -23,7 +23,7 @@ pub(crate) const AUTO: &str = "auto";
 pub(crate) const TRADE_PLOT: &str = "trade.svg";
 
 /// The command line of a stage: its verbs with their flags and their help.
-pub(crate) fn command(about: &About) -> Command {
+pub fn command(about: &About) -> Command {
     let About { name, number, teaches, notes, picture, inputs, results, .. } = about;
     let show = Command::new("show")
         .about("Print the intermediate values of one ray, and write the picture (the default)")

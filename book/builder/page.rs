@@ -1,0 +1,182 @@
+//! One page: its lines in double braces filled, its mathematics marked, its blocks of code judged.
+
+use std::path::{Path, PathBuf};
+
+use crate::named::Sources;
+use crate::{Fault, code, exercises, math, pictures, shown, trade};
+
+/// A page as mdBook gets it, and what else it needs.
+#[derive(Debug, Default, PartialEq)]
+pub struct Page {
+    /// The Markdown.
+    pub text: String,
+    /// The stages whose pictures it shows.
+    pub pictures: Vec<String>,
+}
+
+/// What the lines of a page are filled from.
+pub struct Filler<'a> {
+    /// The project's root.
+    pub root: &'a Path,
+    /// The crates' sources, to look names up in.
+    pub sources: &'a Sources,
+}
+
+impl Filler<'_> {
+    /// Fills a page; `file` is where it stands, as seen from the root. All faults at once.
+    pub fn page(&self, file: &Path, text: &str) -> Result<Page, Vec<Fault>> {
+        let (mut page, mut faults) = (Page::default(), Vec::new());
+        let mut fence: Option<&str> = None;
+        for (number, line) in text.lines().enumerate() {
+            let wrong = |what: String| Fault::new(file, number + 1, what);
+            if let Some(language) = line.trim_start().strip_prefix("```") {
+                fence = match fence {
+                    Some(_) => None,
+                    None => {
+                        faults.extend(from_nowhere(language).map(wrong));
+                        Some(language)
+                    }
+                };
+                page.text += line;
+            } else if let Some(language) = fence {
+                if language == "sh" {
+                    faults.extend(command(line).err().map(wrong));
+                }
+                page.text += line;
+            } else if let Some(words) = line.strip_prefix("{{").and_then(|line| line.strip_suffix("}}")) {
+                match self.filled(words, &mut page.pictures) {
+                    Ok(text) => page.text += &text,
+                    Err(what) => faults.push(wrong(what)),
+                }
+            } else {
+                if line.starts_with('|') && line.contains("::") {
+                    let cell = line.trim_end_matches([' ', '|']).rsplit('|').next().unwrap_or_default();
+                    faults.extend(self.sources.faults(cell).into_iter().map(wrong));
+                }
+                page.text += &math::line(line);
+            }
+            page.text.push('\n');
+        }
+        if fence.is_some() {
+            faults.push(Fault::new(file, 0, "a block of code has no end"));
+        }
+        if faults.is_empty() { Ok(page) } else { Err(faults) }
+    }
+
+    /// What a line in double braces fetches.
+    fn filled(&self, line: &str, drawn: &mut Vec<String>) -> Result<String, String> {
+        let mut parts = line.split('|').map(str::trim);
+        let words: Vec<&str> = parts.next().unwrap_or_default().split_whitespace().collect();
+        let titles: Vec<&str> = parts.collect();
+        match words.as_slice() {
+            ["code", file, names @ ..] if !names.is_empty() => {
+                let text = code::items(self.root, file, names)?;
+                Ok(format!("```rust,ignore\n{text}```\n<p class=\"from\">from <code>{file}</code></p>\n"))
+            }
+            ["show", words @ ..] => shown::markdown(self.root, words, &titles),
+            ["picture", name] => {
+                drawn.push(name.to_string());
+                pictures::markdown(name)
+            }
+            ["trade", stage, regime] => {
+                let columns: Vec<&str> = titles.iter().flat_map(|names| names.split_whitespace()).collect();
+                trade::markdown(self.root, stage, regime, &columns)
+            }
+            ["exercises", chapter] => exercises::markdown(self.root, chapter),
+            _ => Err(format!(
+                "nothing is known of {{{{{line}}}}}; there are {{{{code FILE NAME…}}}}, {{{{show STAGE [FLAGS]… [| TITLE]…}}}}, \
+                 {{{{picture STAGE}}}}, {{{{trade STAGE REGIME | COLUMN…}}}} and {{{{exercises STAGE}}}}"
+            )),
+        }
+    }
+}
+
+/// What is wrong with a block of code in this language: code of ours is fetched, not typed.
+fn from_nowhere(language: &str) -> Option<String> {
+    match language.split(',').next().unwrap_or_default() {
+        "sh" | "text" | "toml" | "csv" | "json" | "yaml" => None,
+        "rust" => Some("Rust that nobody runs: fetch it from a file with {{code FILE NAME}}".into()),
+        other => Some(format!("a block in {other:?}; there are sh, text, toml, csv, json and yaml")),
+    }
+}
+
+/// Whether a line of a shell block is one that works: a command of a stage with flags that it has.
+fn command(line: &str) -> Result<(), String> {
+    let line = line.split(" #").next().unwrap_or_default().split(" > ").next().unwrap_or_default();
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let ["cargo", "run", words @ ..] = words.as_slice() else { return Ok(()) };
+    let own = words.iter().position(|word| *word == "--").unwrap_or(words.len());
+    let (cargo, arguments) = (&words[..own], words.get(own + 1..).unwrap_or_default());
+    let package = cargo.iter().position(|word| *word == "-p").and_then(|at| cargo.get(at + 1));
+    match package {
+        None => {
+            let line = std::iter::once("workbench").chain(arguments.iter().copied());
+            let parsed = workbench::command().try_get_matches_from(line);
+            parsed
+                .map(drop)
+                .or_else(|usage| if usage.exit_code() == 0 { Ok(()) } else { Err(usage.to_string()) })
+        }
+        Some(&"book") | Some(&"against-obvhs") => Ok(()),
+        // what a loop of the shell goes through
+        Some(name) if name.starts_with('$') => Ok(()),
+        Some(name) if arguments.contains(&"--help") => shown::named(name).map(drop),
+        Some(name) => shown::parsed(shown::named(name)?, arguments).map(drop),
+    }
+}
+
+/// Where the pages are, as seen from the root.
+pub fn place(page: &Path) -> PathBuf {
+    Path::new("book/src").join(page)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fill(text: &str) -> Result<Page, Vec<String>> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let sources = Sources::read(root).unwrap();
+        let filled = Filler { root, sources: &sources }.page(Path::new("a.md"), text);
+        filled.map_err(|faults| faults.iter().map(ToString::to_string).collect())
+    }
+
+    #[test]
+    fn lines_are_filled_and_the_rest_stays() {
+        let page = fill("# A $t$\n\n{{code crates/math/src/span.rs Span}}\n{{picture ray-wall}}\n").unwrap();
+        assert!(
+            page.text.starts_with("# A <span class=\"math\">t</span>\n\n```rust,ignore\n///"),
+            "{}",
+            page.text
+        );
+        assert!(page.text.contains("from <code>crates/math/src/span.rs</code>"));
+        assert_eq!(page.pictures, ["ray-wall"]);
+    }
+
+    #[test]
+    fn every_fault_has_its_line() {
+        let text = "{{code crates/math/src/span.rs Spam}}\n{{shoe ray-wall}}\n```rust\nlet x = 1;\n```\n\
+                    ```sh\ncargo run -p ray-wall -- --metod x\ncargo run -p ray-ball\ncargo run -- lost\n```\n\
+                    | 1 | `ray-wall`, `notes::tests::no_such_test` |\n";
+        let faults = fill(text).unwrap_err();
+        let starts =
+            ["a.md:1: ", "a.md:2: nothing is known of {{shoe ray-wall}}", "a.md:3: Rust that nobody runs"];
+        let more = [
+            "a.md:7: ",
+            "a.md:8: there is no stage ray-ball",
+            "a.md:9: ",
+            "a.md:11: `notes::tests::no_such_test`",
+        ];
+        let all: Vec<&str> = starts.into_iter().chain(more).collect();
+        assert_eq!(faults.len(), all.len(), "{faults:#?}");
+        for (fault, start) in faults.iter().zip(all) {
+            assert!(fault.starts_with(start), "{fault}");
+        }
+    }
+
+    #[test]
+    fn commands_that_work_are_let_through() {
+        let text = "```sh\ncargo run --release\ncargo test\ncargo run -q -p ray-sphere -- eval --cases cases.csv   # rows\n\
+                    cargo run --release -p whitted -- trade --quick\ncargo run -p book\ncargo run -- list\n```\n";
+        assert_eq!(fill(text).unwrap().text, text);
+    }
+}

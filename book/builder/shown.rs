@@ -1,0 +1,112 @@
+//! What a stage prints when it is asked what a page asks.
+
+use std::path::Path;
+
+use stage::{Ask, Stage, asked, command_line};
+use workbench::stages;
+
+/// The stage of that name.
+pub fn named(name: &str) -> Result<&'static dyn Stage, String> {
+    let names = stages::names().join(", ");
+    let stage = stages::ALL.iter().find(|stage| stage.about().name == name);
+    stage.copied().ok_or_else(|| format!("there is no stage {name}; there are {names}"))
+}
+
+/// What a command line asks of a stage. The error is clap's own.
+pub fn parsed(stage: &dyn Stage, arguments: &[&str]) -> Result<Ask, String> {
+    let about = stage.about();
+    let words = std::iter::once(about.name).chain(arguments.iter().copied());
+    let matches = command_line(&about).try_get_matches_from(words).map_err(|error| error.to_string())?;
+    Ok(asked(&about, &matches))
+}
+
+/// A command and what it prints, as Markdown: all of it, or the sections whose titles begin so.
+///
+/// An error where there is no such stage, flag or section, where the stage refuses, and where there is an accepted snapshot
+/// of this very request and the stage prints something else.
+pub fn markdown(root: &Path, words: &[&str], titles: &[&str]) -> Result<String, String> {
+    let (name, arguments) = words.split_first().ok_or("name a stage: {{show STAGE [FLAGS]… [| TITLE]…}}")?;
+    let stage = named(name)?;
+    let ask = parsed(stage, arguments)?;
+    let transcript = stage.show(&in_root(root, ask.clone())).map_err(|error| error.to_string())?.transcript;
+    let printed = transcript.to_string();
+    fresh(root, stage, &ask, &printed)?;
+    let mut parts = Vec::new();
+    for title in titles {
+        let sections = transcript.sections.iter().filter(|section| section.in_text);
+        let there: Vec<&str> = sections.clone().map(|section| section.title.as_str()).collect();
+        let found = sections.filter(|section| section.title.starts_with(title)).map(ToString::to_string);
+        let before = parts.len();
+        parts.extend(found);
+        if parts.len() == before {
+            return Err(format!("{name} prints no section “{title}”; it prints “{}”", there.join("”, “")));
+        }
+    }
+    let text = if titles.is_empty() { printed } else { parts.join("\n") };
+    let flags = if arguments.is_empty() { String::new() } else { format!(" -- {}", arguments.join(" ")) };
+    Ok(format!("```sh\ncargo run -p {name}{flags}\n```\n\n```text\n{}\n```\n", text.trim_end()))
+}
+
+/// The same request for whoever stands elsewhere: a scene's name is seen from the root.
+fn in_root(root: &Path, ask: Ask) -> Ask {
+    Ask { scene: ask.scene.map(|scene| root.join(scene)), ..ask }
+}
+
+/// Whether a stage prints what was accepted; a request that differs from the default in more than method and precision has
+/// no snapshot.
+fn fresh(root: &Path, stage: &dyn Stage, ask: &Ask, printed: &str) -> Result<(), String> {
+    if *ask != (Ask { method: ask.method, precision: ask.precision, ..Ask::default() }) {
+        return Ok(());
+    }
+    let about = stage.about();
+    let name = [about.name, about.methods[ask.method], ask.precision.name()].join(".");
+    let file = format!("tests/snapshots/{name}.snap");
+    let snapshot = std::fs::read_to_string(root.join(&file)).map_err(|error| format!("{file}: {error}"))?;
+    let accepted = snapshot.splitn(3, "---\n").nth(2).unwrap_or_default();
+    match accepted.trim_end() == printed.trim_end() {
+        true => Ok(()),
+        false => {
+            Err(format!("{} prints something else than {file}: accept it, or mend the stage", about.name))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn root() -> &'static Path {
+        Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+    }
+
+    #[test]
+    fn a_section_is_what_the_stage_prints() {
+        let text = markdown(root(), &["ray-wall"], &[]).unwrap();
+        assert!(
+            text.starts_with("```sh\ncargo run -p ray-wall\n```\n\n```text\nray-wall · notes · f64"),
+            "{text}"
+        );
+        let some = markdown(root(), &["ray-sphere", "--precision", "f32"], &["Both roots"]).unwrap();
+        assert!(some.contains("cargo run -p ray-sphere -- --precision f32\n"), "{some}");
+        assert!(some.contains("```text\nBoth roots of the red sphere"), "{some}");
+        assert!(!some.contains("Table 2-1"), "{some}");
+    }
+
+    #[test]
+    fn what_cannot_be_shown_is_told() {
+        let error = |words: &[&str], titles: &[&str]| markdown(root(), words, titles).unwrap_err();
+        assert!(error(&["ray-ball"], &[]).starts_with("there is no stage ray-ball; there are pinhole, "));
+        assert!(error(&["ray-wall", "--metod", "notes"], &[]).contains("--metod"));
+        assert!(error(&["ray-wall"], &["Nothing"]).starts_with("ray-wall prints no section “Nothing”"));
+    }
+
+    #[test]
+    fn a_stale_snapshot_is_found() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("tests/snapshots")).unwrap();
+        let file = folder.path().join("tests/snapshots/ray-wall.notes.f64.snap");
+        std::fs::write(&file, "---\nsource: x\n---\nray-wall · notes · f64\n").unwrap();
+        let error = markdown(folder.path(), &["ray-wall"], &[]).unwrap_err();
+        assert!(error.starts_with("ray-wall prints something else than tests/snapshots/ray-wall"), "{error}");
+    }
+}
