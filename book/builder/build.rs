@@ -12,6 +12,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use crate::named::Sources;
 use crate::page::{Filler, place};
+use crate::shown::Shown;
 use crate::{Fault, links, pictures};
 
 /// Builds the book of the project at `root` into the folder `out`.
@@ -85,7 +86,7 @@ impl Preprocessor for Fill {
                 return Ok(book);
             }
         };
-        let filler = Filler { root: &self.root, sources: &sources };
+        let filler = Filler { root: &self.root, sources: &sources, shown: Shown::default() };
         book.for_each_mut(|item| {
             let BookItem::Chapter(chapter) = item else { return };
             let Some(path) = &chapter.source_path else { return };

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::named::Sources;
+use crate::shown::Shown;
 use crate::{Fault, code, exercises, math, pictures, shown, trade};
 
 /// A page as mdBook gets it, and what else it needs.
@@ -20,6 +21,8 @@ pub struct Filler<'a> {
     pub root: &'a Path,
     /// The crates' sources, to look names up in.
     pub sources: &'a Sources,
+    /// What stages printed so far.
+    pub shown: Shown,
 }
 
 impl Filler<'_> {
@@ -73,19 +76,19 @@ impl Filler<'_> {
                 let text = code::items(self.root, file, names)?;
                 Ok(format!("```rust,ignore\n{text}```\n<p class=\"from\">from <code>{file}</code></p>\n"))
             }
-            ["show", words @ ..] => shown::markdown(self.root, words, &titles),
+            ["show", words @ ..] => self.shown.markdown(self.root, words, &titles),
             ["picture", name] => {
                 drawn.push(name.to_string());
                 pictures::markdown(name)
             }
-            ["trade", stage, regime] => {
+            ["trade", stage, regime, best @ ..] if best.is_empty() || best == ["pareto"] => {
                 let columns: Vec<&str> = titles.iter().flat_map(|names| names.split_whitespace()).collect();
-                trade::markdown(self.root, stage, regime, &columns)
+                trade::markdown(self.root, stage, regime, &columns, !best.is_empty())
             }
             ["exercises", chapter] => exercises::markdown(self.root, chapter),
             _ => Err(format!(
                 "nothing is known of {{{{{line}}}}}; there are {{{{code FILE NAME…}}}}, {{{{show STAGE [FLAGS]… [| TITLE]…}}}}, \
-                 {{{{picture STAGE}}}}, {{{{trade STAGE REGIME | COLUMN…}}}} and {{{{exercises STAGE}}}}"
+                 {{{{picture STAGE}}}}, {{{{trade STAGE REGIME [pareto] | COLUMN…}}}} and {{{{exercises STAGE}}}}"
             )),
         }
     }
@@ -136,7 +139,8 @@ mod tests {
     fn fill(text: &str) -> Result<Page, Vec<String>> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         let sources = Sources::read(root).unwrap();
-        let filled = Filler { root, sources: &sources }.page(Path::new("a.md"), text);
+        let filled =
+            Filler { root, sources: &sources, shown: Shown::default() }.page(Path::new("a.md"), text);
         filled.map_err(|faults| faults.iter().map(ToString::to_string).collect())
     }
 

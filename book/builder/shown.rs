@@ -1,8 +1,11 @@
 //! What a stage prints when it is asked what a page asks.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::rc::Rc;
 
-use stage::{Ask, Stage, asked, command_line};
+use stage::{Ask, Stage, Transcript, asked, command_line};
 use workbench::stages;
 
 /// The stage of that name.
@@ -20,31 +23,53 @@ pub fn parsed(stage: &dyn Stage, arguments: &[&str]) -> Result<Ask, String> {
     Ok(asked(&about, &matches))
 }
 
-/// A command and what it prints, as Markdown: all of it, or the sections whose titles begin so.
-///
-/// An error where there is no such stage, flag or section, where the stage refuses, and where there is an accepted snapshot
-/// of this very request and the stage prints something else.
-pub fn markdown(root: &Path, words: &[&str], titles: &[&str]) -> Result<String, String> {
-    let (name, arguments) = words.split_first().ok_or("name a stage: {{show STAGE [FLAGS]… [| TITLE]…}}")?;
-    let stage = named(name)?;
-    let ask = parsed(stage, arguments)?;
-    let transcript = stage.show(&in_root(root, ask.clone())).map_err(|error| error.to_string())?.transcript;
-    let printed = transcript.to_string();
-    fresh(root, stage, &ask, &printed)?;
+/// What stages printed so far: a page asks for a section here and for another one there, and a picture takes its time.
+#[derive(Default)]
+pub struct Shown(RefCell<BTreeMap<String, Rc<Transcript>>>);
+
+impl Shown {
+    /// A command and what it prints, as Markdown: all of it, or the sections whose titles begin so.
+    ///
+    /// An error where there is no such stage, flag or section, where the stage refuses, and where there is an accepted
+    /// snapshot of this very request and the stage prints something else.
+    pub fn markdown(&self, root: &Path, words: &[&str], titles: &[&str]) -> Result<String, String> {
+        let (name, arguments) =
+            words.split_first().ok_or("name a stage: {{show STAGE [FLAGS]… [| TITLE]…}}")?;
+        let transcript = self.transcript(root, name, arguments)?;
+        let text =
+            if titles.is_empty() { transcript.to_string() } else { sections(name, &transcript, titles)? };
+        let flags = if arguments.is_empty() { String::new() } else { format!(" -- {}", arguments.join(" ")) };
+        Ok(format!("```sh\ncargo run -p {name}{flags}\n```\n\n```text\n{}\n```\n", text.trim_end()))
+    }
+
+    fn transcript(&self, root: &Path, name: &str, arguments: &[&str]) -> Result<Rc<Transcript>, String> {
+        let command = [&[name], arguments].concat().join(" ");
+        if let Some(transcript) = self.0.borrow().get(&command) {
+            return Ok(Rc::clone(transcript));
+        }
+        let stage = named(name)?;
+        let ask = parsed(stage, arguments)?;
+        let shown = stage.show(&in_root(root, ask.clone())).map_err(|error| error.to_string())?;
+        fresh(root, stage, &ask, &shown.transcript.to_string())?;
+        let transcript = Rc::new(shown.transcript);
+        self.0.borrow_mut().insert(command, Rc::clone(&transcript));
+        Ok(transcript)
+    }
+}
+
+/// The sections of a transcript whose titles begin so, in the order asked for.
+fn sections(name: &str, transcript: &Transcript, titles: &[&str]) -> Result<String, String> {
     let mut parts = Vec::new();
     for title in titles {
         let sections = transcript.sections.iter().filter(|section| section.in_text);
         let there: Vec<&str> = sections.clone().map(|section| section.title.as_str()).collect();
-        let found = sections.filter(|section| section.title.starts_with(title)).map(ToString::to_string);
         let before = parts.len();
-        parts.extend(found);
+        parts.extend(sections.filter(|it| it.title.starts_with(title)).map(ToString::to_string));
         if parts.len() == before {
             return Err(format!("{name} prints no section “{title}”; it prints “{}”", there.join("”, “")));
         }
     }
-    let text = if titles.is_empty() { printed } else { parts.join("\n") };
-    let flags = if arguments.is_empty() { String::new() } else { format!(" -- {}", arguments.join(" ")) };
-    Ok(format!("```sh\ncargo run -p {name}{flags}\n```\n\n```text\n{}\n```\n", text.trim_end()))
+    Ok(parts.join("\n"))
 }
 
 /// The same request for whoever stands elsewhere: a scene's name is seen from the root.
@@ -81,12 +106,14 @@ mod tests {
 
     #[test]
     fn a_section_is_what_the_stage_prints() {
-        let text = markdown(root(), &["ray-wall"], &[]).unwrap();
+        let text = Shown::default().markdown(root(), &["ray-wall"], &[]).unwrap();
         assert!(
             text.starts_with("```sh\ncargo run -p ray-wall\n```\n\n```text\nray-wall · notes · f64"),
             "{text}"
         );
-        let some = markdown(root(), &["ray-sphere", "--precision", "f32"], &["Both roots"]).unwrap();
+        let some = Shown::default()
+            .markdown(root(), &["ray-sphere", "--precision", "f32"], &["Both roots"])
+            .unwrap();
         assert!(some.contains("cargo run -p ray-sphere -- --precision f32\n"), "{some}");
         assert!(some.contains("```text\nBoth roots of the red sphere"), "{some}");
         assert!(!some.contains("Table 2-1"), "{some}");
@@ -94,7 +121,8 @@ mod tests {
 
     #[test]
     fn what_cannot_be_shown_is_told() {
-        let error = |words: &[&str], titles: &[&str]| markdown(root(), words, titles).unwrap_err();
+        let error =
+            |words: &[&str], titles: &[&str]| Shown::default().markdown(root(), words, titles).unwrap_err();
         assert!(error(&["ray-ball"], &[]).starts_with("there is no stage ray-ball; there are pinhole, "));
         assert!(error(&["ray-wall", "--metod", "notes"], &[]).contains("--metod"));
         assert!(error(&["ray-wall"], &["Nothing"]).starts_with("ray-wall prints no section “Nothing”"));
@@ -106,7 +134,7 @@ mod tests {
         std::fs::create_dir_all(folder.path().join("tests/snapshots")).unwrap();
         let file = folder.path().join("tests/snapshots/ray-wall.notes.f64.snap");
         std::fs::write(&file, "---\nsource: x\n---\nray-wall · notes · f64\n").unwrap();
-        let error = markdown(folder.path(), &["ray-wall"], &[]).unwrap_err();
+        let error = Shown::default().markdown(folder.path(), &["ray-wall"], &[]).unwrap_err();
         assert!(error.starts_with("ray-wall prints something else than tests/snapshots/ray-wall"), "{error}");
     }
 }

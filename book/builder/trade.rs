@@ -2,10 +2,17 @@
 
 use std::path::Path;
 
-/// The rows of `book/src/trade/STAGE.csv` that belong to a regime, and of these the columns that are asked for.
+/// The rows of `book/src/trade/STAGE.csv` that belong to a regime, `best` of them only those of the Pareto front, and of
+/// these the columns that are asked for.
 ///
 /// An error where there is no such file, regime or column; it says which there are.
-pub fn markdown(root: &Path, stage: &str, regime: &str, columns: &[&str]) -> Result<String, String> {
+pub fn markdown(
+    root: &Path,
+    stage: &str,
+    regime: &str,
+    columns: &[&str],
+    best: bool,
+) -> Result<String, String> {
     let file = format!("book/src/trade/{stage}.csv");
     let text = std::fs::read_to_string(root.join(&file)).map_err(|error| format!("{file}: {error}"))?;
     // the tables of `trade` hold names and numbers, neither quotes nor commas within a field
@@ -15,9 +22,12 @@ pub fn markdown(root: &Path, stage: &str, regime: &str, columns: &[&str]) -> Res
         let found = header.iter().position(|column| *column == name);
         found.ok_or_else(|| format!("{file} has no column {name}; it has {}", header.join(", ")))
     };
-    let (of_regime, rows) = (place("regime")?, lines.collect::<Vec<_>>());
+    let (of_regime, of_front, rows) = (place("regime")?, place("pareto")?, lines.collect::<Vec<_>>());
     let places = columns.iter().map(|name| place(name)).collect::<Result<Vec<_>, _>>()?;
-    let wanted: Vec<&Vec<&str>> = rows.iter().filter(|row| row.get(of_regime) == Some(&regime)).collect();
+    let of_it = |row: &&Vec<&str>| {
+        row.get(of_regime) == Some(&regime) && (!best || row.get(of_front) == Some(&"true"))
+    };
+    let wanted: Vec<&Vec<&str>> = rows.iter().filter(of_it).collect();
     if wanted.is_empty() {
         let mut there: Vec<&str> = rows.iter().filter_map(|row| row.get(of_regime).copied()).collect();
         there.dedup();
@@ -59,7 +69,7 @@ mod tests {
 
     #[test]
     fn rows_of_a_regime_and_columns_as_asked() {
-        let table = markdown(root(), "ray-wall", "ordinary", &["method", "wrong_decisions"]).unwrap();
+        let table = markdown(root(), "ray-wall", "ordinary", &["method", "wrong_decisions"], false).unwrap();
         let lines: Vec<&str> = table.lines().collect();
         assert_eq!(lines[..2], ["| method | wrong decisions |", "| --- | --- |"]);
         assert!(lines[2].starts_with("| notes | ") || lines[2].starts_with("| robust | "), "{table}");
@@ -71,10 +81,10 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_told_with_what_is() {
-        let error = |regime, column| markdown(root(), "ray-wall", regime, &[column]).unwrap_err();
+        let error = |regime, column| markdown(root(), "ray-wall", regime, &[column], false).unwrap_err();
         assert!(error("odd", "method").contains("has no regime odd; it has ordinary"));
         assert!(error("ordinary", "color").contains("has no column color; it has method"));
-        assert!(markdown(root(), "ray-ball", "ordinary", &[]).unwrap_err().contains("ray-ball.csv"));
+        assert!(markdown(root(), "ray-ball", "ordinary", &[], false).unwrap_err().contains("ray-ball.csv"));
     }
 
     #[test]
