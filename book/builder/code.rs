@@ -10,7 +10,7 @@ use syn::{ImplItem, Item, TraitItem};
 /// A name is that of a function, a type, a constant, a trait, `Type::method`, or `impl Type` for all that is implemented
 /// for it. Documentation comes along. What the exercises mark in the code, and `#[inline]`, does not.
 /// The error says which name is missing, and which there are.
-pub fn items(root: &Path, file: &str, names: &[&str]) -> Result<String, String> {
+pub(crate) fn items(root: &Path, file: &str, names: &[&str]) -> Result<String, String> {
     let text = std::fs::read_to_string(root.join(file)).map_err(|error| format!("{file}: {error}"))?;
     let parsed = syn::parse_file(&text).map_err(|error| format!("{file}: {error}"))?;
     let found = places(&parsed.items);

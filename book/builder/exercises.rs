@@ -5,7 +5,7 @@ use std::path::Path;
 use cutter::{Manifest, Source};
 
 /// The exercises of the chapter of that name as a table; an error where there is none.
-pub fn markdown(root: &Path, chapter: &str) -> Result<String, String> {
+pub(crate) fn markdown(root: &Path, chapter: &str) -> Result<String, String> {
     let all = Manifest::all(&Source::at(root.to_path_buf()))?;
     let here: Vec<&Manifest> =
         all.iter().filter(|exercise| exercise.name.split('/').next() == Some(chapter)).collect();

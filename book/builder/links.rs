@@ -9,7 +9,7 @@ use crate::Fault;
 /// Every link and every source of a page that leads nowhere.
 ///
 /// What leads to another host is let through as a link, and is a fault where the page itself would load it.
-pub fn faults(book: &Path) -> Result<Vec<Fault>, String> {
+pub(crate) fn faults(book: &Path) -> Result<Vec<Fault>, String> {
     let mut pages = BTreeMap::new();
     let mut files = BTreeSet::new();
     let mut open = vec![book.to_path_buf()];

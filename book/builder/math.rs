@@ -3,7 +3,7 @@
 /// A line of a page in which `$…$` is an element of class `math`, and `$$…$$` one that stands by itself.
 ///
 /// What stands in backquotes stays as it is. A dollar sign alone on its line is a dollar sign.
-pub fn line(text: &str) -> String {
+pub(crate) fn line(text: &str) -> String {
     let (mut result, mut rest) = (String::new(), text);
     while let Some(at) = rest.find(['`', '$']) {
         result += &rest[..at];

@@ -5,11 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources of the project's crates, by the crate's name.
-pub struct Sources(BTreeMap<String, String>);
+pub(crate) struct Sources(BTreeMap<String, String>);
 
 impl Sources {
     /// Reads them all.
-    pub fn read(root: &Path) -> Result<Sources, String> {
+    pub(crate) fn read(root: &Path) -> Result<Sources, String> {
         let mut found = BTreeMap::new();
         for group in ["chapters", "crates"] {
             for folder in folders(&root.join(group))? {
@@ -26,7 +26,7 @@ impl Sources {
 
     /// What is wrong with a cell of names in backquotes: a crate, then what it has, `module::function` or
     /// `module::tests::name`, several where they are separated.
-    pub fn faults(&self, cell: &str) -> Vec<String> {
+    pub(crate) fn faults(&self, cell: &str) -> Vec<String> {
         let (mut faults, mut of_crate) = (Vec::new(), None);
         for name in cell.split('`').skip(1).step_by(2) {
             if let Some(text) = self.0.get(name) {
@@ -39,12 +39,12 @@ impl Sources {
             };
             let last = name.rsplit("::").next().unwrap_or(name);
             let kinds = ["fn", "struct", "enum", "const", "trait", "type", "mod"];
-            let is_there = |kind: &&str| {
+            let is_there = |kind: &str| {
                 let declared = format!("{kind} {last}");
                 let ends = |rest: &str| !rest.starts_with(|sign: char| sign.is_alphanumeric() || sign == '_');
                 text.match_indices(&declared).any(|(at, _)| ends(&text[at + declared.len()..]))
             };
-            if !kinds.iter().any(|kind| is_there(&kind)) {
+            if !kinds.iter().any(|kind| is_there(kind)) {
                 faults.push(format!("`{name}` is not in `{of}`"));
             }
         }

@@ -8,7 +8,7 @@ use crate::{Fault, code, exercises, math, pictures, shown, trade};
 
 /// A page as mdBook gets it, and what else it needs.
 #[derive(Debug, Default, PartialEq)]
-pub struct Page {
+pub(crate) struct Page {
     /// The Markdown.
     pub text: String,
     /// The stages whose pictures it shows.
@@ -16,7 +16,7 @@ pub struct Page {
 }
 
 /// What the lines of a page are filled from.
-pub struct Filler<'a> {
+pub(crate) struct Filler<'a> {
     /// The project's root.
     pub root: &'a Path,
     /// The crates' sources, to look names up in.
@@ -27,7 +27,7 @@ pub struct Filler<'a> {
 
 impl Filler<'_> {
     /// Fills a page; `file` is where it stands, as seen from the root. All faults at once.
-    pub fn page(&self, file: &Path, text: &str) -> Result<Page, Vec<Fault>> {
+    pub(crate) fn page(&self, file: &Path, text: &str) -> Result<Page, Vec<Fault>> {
         let (mut page, mut faults) = (Page::default(), Vec::new());
         let mut fence: Option<&str> = None;
         for (number, line) in text.lines().enumerate() {
@@ -128,7 +128,7 @@ fn command(line: &str) -> Result<(), String> {
 }
 
 /// Where the pages are, as seen from the root.
-pub fn place(page: &Path) -> PathBuf {
+pub(crate) fn place(page: &Path) -> PathBuf {
     Path::new("book/src").join(page)
 }
 

@@ -7,7 +7,7 @@ use stage::{Ask, write_picture};
 use crate::shown;
 
 /// The line that shows a stage's picture: the stage says what it shows.
-pub fn markdown(name: &str) -> Result<String, String> {
+pub(crate) fn markdown(name: &str) -> Result<String, String> {
     let about = shown::named(name)?.about();
     let said = about.picture.replace(['[', ']'], "");
     let (width, height) = about.size;
@@ -20,7 +20,7 @@ pub fn markdown(name: &str) -> Result<String, String> {
 }
 
 /// Draws the pictures of these stages into a folder, which is made.
-pub fn draw(names: &[String], folder: &Path) -> Result<(), String> {
+pub(crate) fn draw(names: &[String], folder: &Path) -> Result<(), String> {
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for name in names {
         let shown = shown::named(name)?.show(&Ask::default()).map_err(|error| error.to_string())?;
@@ -31,6 +31,6 @@ pub fn draw(names: &[String], folder: &Path) -> Result<(), String> {
 }
 
 /// A text inside an element or a quoted attribute.
-pub fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -9,14 +9,14 @@ use stage::{Ask, Stage, Transcript, asked, command_line};
 use workbench::stages;
 
 /// The stage of that name.
-pub fn named(name: &str) -> Result<&'static dyn Stage, String> {
+pub(crate) fn named(name: &str) -> Result<&'static dyn Stage, String> {
     let names = stages::names().join(", ");
     let stage = stages::ALL.iter().find(|stage| stage.about().name == name);
     stage.copied().ok_or_else(|| format!("there is no stage {name}; there are {names}"))
 }
 
 /// What a command line asks of a stage. The error is clap's own.
-pub fn parsed(stage: &dyn Stage, arguments: &[&str]) -> Result<Ask, String> {
+pub(crate) fn parsed(stage: &dyn Stage, arguments: &[&str]) -> Result<Ask, String> {
     let about = stage.about();
     let words = std::iter::once(about.name).chain(arguments.iter().copied());
     let matches = command_line(&about).try_get_matches_from(words).map_err(|error| error.to_string())?;
@@ -25,14 +25,14 @@ pub fn parsed(stage: &dyn Stage, arguments: &[&str]) -> Result<Ask, String> {
 
 /// What stages printed so far: a page asks for a section here and for another one there, and a picture takes its time.
 #[derive(Default)]
-pub struct Shown(RefCell<BTreeMap<String, Rc<Transcript>>>);
+pub(crate) struct Shown(RefCell<BTreeMap<String, Rc<Transcript>>>);
 
 impl Shown {
     /// A command and what it prints, as Markdown: all of it, or the sections whose titles begin so.
     ///
     /// An error where there is no such stage, flag or section, where the stage refuses, and where there is an accepted
     /// snapshot of this very request and the stage prints something else.
-    pub fn markdown(&self, root: &Path, words: &[&str], titles: &[&str]) -> Result<String, String> {
+    pub(crate) fn markdown(&self, root: &Path, words: &[&str], titles: &[&str]) -> Result<String, String> {
         let (name, arguments) =
             words.split_first().ok_or("name a stage: {{show STAGE [FLAGS]… [| TITLE]…}}")?;
         let transcript = self.transcript(root, name, arguments)?;

@@ -6,7 +6,7 @@ use std::path::Path;
 /// these the columns that are asked for.
 ///
 /// An error where there is no such file, regime or column; it says which there are.
-pub fn markdown(
+pub(crate) fn markdown(
     root: &Path,
     stage: &str,
     regime: &str,

@@ -16,6 +16,7 @@ mod pipes;
 mod process;
 mod readme;
 mod regimes;
+mod shown;
 mod slips;
 mod trade;
 mod transcripts;

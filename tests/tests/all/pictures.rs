@@ -11,14 +11,15 @@
 use std::path::{Path, PathBuf};
 
 use image::{Rgb, RgbImage};
-use stage::{Ask, Stage};
+use stage::Stage;
 use tests::{Folder, STAGES, compare};
 
 use crate::process::run;
+use crate::shown::by_default;
 
 /// The picture of a stage's default request.
 fn default_picture(stage: &dyn Stage) -> RgbImage {
-    let picture = stage.show(&Ask::default()).unwrap().picture;
+    let picture = &by_default(stage).picture;
     let (width, height) = picture.size();
     RgbImage::from_raw(width, height, picture.to_rgb().unwrap()).expect("three bytes a pixel")
 }

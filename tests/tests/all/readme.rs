@@ -44,7 +44,9 @@ fn printed(line: &str, folder: &Folder) -> Option<String> {
     let words: Vec<&str> = words.split_whitespace().collect();
     let args = match words.as_slice() {
         // `.ci/full` builds the book
-        [] | ["cargo", "run", "--release"] | ["cargo", "test"] | ["cargo", "run", "-p", "book"] => return None,
+        [] | ["cargo", "run", "--release"] | ["cargo", "test"] | ["cargo", "run", "-p", "book"] => {
+            return None;
+        }
         // times, which are never the same; `trade.rs` runs it quickly
         ["cargo", "run", "--release", "-p", stage, "--", "trade"] => {
             assert!(stage_named(stage).is_some(), "{line}");

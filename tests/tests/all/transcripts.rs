@@ -3,56 +3,44 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
-use stage::{Ask, Precision, Section, Stage, Transcript, Value, report};
+use stage::{Ask, Section, Transcript, Value, report};
 use tests::STAGES;
 
 use crate::assert_snapshot;
-
-/// Every request of a stage that differs from the default one in method or precision only.
-fn requests(stage: &dyn Stage) -> impl Iterator<Item = Ask> {
-    (0..stage.about().methods.len())
-        .flat_map(|method| Precision::ALL.map(|precision| Ask { method, precision, ..Ask::default() }))
-}
+use crate::shown::{SHOWN, requests};
 
 #[test]
 fn every_method_prints_its_transcript() {
-    for stage in STAGES {
+    for (stage, ask, shown) in SHOWN.iter() {
         let about = stage.about();
-        for ask in requests(*stage) {
-            let shown = stage.show(&ask).unwrap();
-            let name = [about.name, about.methods[ask.method], ask.precision.name()].join(".");
-            assert_snapshot(&name, &shown.transcript.to_string());
-        }
+        let name = [about.name, about.methods[ask.method], ask.precision.name()].join(".");
+        assert_snapshot(&name, &shown.transcript.to_string());
     }
 }
 
 #[test]
 fn a_transcript_has_the_same_steps_and_tables_as_json() {
-    for stage in STAGES {
-        for ask in requests(*stage) {
-            let shown = stage.show(&ask).unwrap();
-            let json = report(&shown, Path::new("picture.png"), true);
-            let json: Json = serde_json::from_str(&json).unwrap();
-            let said = json["steps"].as_array().unwrap();
-            let steps: Vec<_> = shown.transcript.sections.iter().flat_map(|section| &section.steps).collect();
-            assert!(!steps.is_empty(), "{ask:?}: no step at all");
-            assert_eq!(said.len(), steps.len(), "{ask:?}");
-            for (said, step) in said.iter().zip(steps) {
-                let [symbol, formula] = ["symbol", "formula"].map(|key| said[key].as_str().unwrap());
-                assert_eq!((symbol, formula), (step.symbol.as_str(), step.formula.as_str()), "{ask:?}");
-                assert!(is_same(&said["value"], &step.value), "{ask:?}: {said}, {step:?}");
-                assert_eq!(said["note"], step.note, "{ask:?}");
-            }
+    for (_, ask, shown) in SHOWN.iter() {
+        let json = report(shown, Path::new("picture.png"), true);
+        let json: Json = serde_json::from_str(&json).unwrap();
+        let said = json["steps"].as_array().unwrap();
+        let steps: Vec<_> = shown.transcript.sections.iter().flat_map(|section| &section.steps).collect();
+        assert!(!steps.is_empty(), "{ask:?}: no step at all");
+        assert_eq!(said.len(), steps.len(), "{ask:?}");
+        for (said, step) in said.iter().zip(steps) {
+            let [symbol, formula] = ["symbol", "formula"].map(|key| said[key].as_str().unwrap());
+            assert_eq!((symbol, formula), (step.symbol.as_str(), step.formula.as_str()), "{ask:?}");
+            assert!(is_same(&said["value"], &step.value), "{ask:?}: {said}, {step:?}");
+            assert_eq!(said["note"], step.note, "{ask:?}");
+        }
 
-            let said = json["tables"].as_array().unwrap();
-            let tables: Vec<_> =
-                shown.transcript.sections.iter().flat_map(|section| &section.table).collect();
-            assert_eq!(said.len(), tables.len(), "{ask:?}");
-            for (said, table) in said.iter().zip(tables) {
-                let rows = Value::Array(table.rows.iter().cloned().map(Value::Array).collect());
-                assert!(is_same(&said["rows"], &rows), "{ask:?}: {said}, {table:?}");
-                assert_eq!(said["columns"], Json::from(table.columns.clone()), "{ask:?}");
-            }
+        let said = json["tables"].as_array().unwrap();
+        let tables: Vec<_> = shown.transcript.sections.iter().flat_map(|section| &section.table).collect();
+        assert_eq!(said.len(), tables.len(), "{ask:?}");
+        for (said, table) in said.iter().zip(tables) {
+            let rows = Value::Array(table.rows.iter().cloned().map(Value::Array).collect());
+            assert!(is_same(&said["rows"], &rows), "{ask:?}: {said}, {table:?}");
+            assert_eq!(said["columns"], Json::from(table.columns.clone()), "{ask:?}");
         }
     }
 }
