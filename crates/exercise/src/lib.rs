@@ -6,7 +6,7 @@
 //! on every known mistake; whoever judges compares steps and finds the [first that is wrong](first_wrong).
 //!
 //! This crate goes along with every hand-out, so it needs nothing but Rust. [`main`] is what `cargo run`
-//! there does, and [`test`] what `cargo test` does.
+//! there does, and [`test()`] what `cargo test` does.
 
 mod case;
 mod compare;
