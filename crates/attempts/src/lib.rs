@@ -2,10 +2,21 @@
 //! algebra, and each known mistake written twice more, independently of the model that it is recognized by.
 //! `tests/` judges them all.
 
-// What is cut from a chapter is that chapter's own code, linted there; cut out, parts of it stand without use
-// or words, and code after a hole is never reached.
-#[allow(dead_code, missing_docs, unexpected_cfgs, unreachable_pub, unused_imports, clippy::all)]
-#[allow(unreachable_code, unused_assignments, unused_mut, unused_variables)]
+// Cut out of a chapter, parts of its code stand without use or words, and what comes after a hole is never
+// reached.
+#[allow(
+    dead_code,
+    missing_docs,
+    unexpected_cfgs,
+    unreachable_code,
+    unreachable_pub,
+    unused_assignments,
+    unused_imports,
+    unused_mut,
+    unused_variables,
+    clippy::all,
+    reason = "it is a chapter's own code, and linted there"
+)]
 mod attempts {
     include!(concat!(env!("OUT_DIR"), "/attempts.rs"));
 }

@@ -175,15 +175,15 @@ mod tests {
         assert_eq!(ended.stdout, b"one\n");
     }
 
+    /// Whoever is left behind would touch a file a second later.
     #[test]
     fn what_it_started_ends_with_it() {
-        let there = |argument: &str| {
-            let mut pgrep = Command::new("pgrep");
-            pgrep.args(["-f", &format!("^sleep {argument}")]).output().unwrap().status.success()
-        };
-        let ended = sh("sleep 77.321 & sleep 77.321 & wait", 300, 100);
-        assert!(ended.status.is_none() && !there("77.321"), "it was stopped");
-        let ended = sh("sleep 77.322 & echo one", 10_000, 100);
-        assert!(ended.well() && !there("77.322"), "it ended by itself");
+        let folder = tempfile::tempdir().unwrap();
+        let touch = |name: &str| format!("{{ sleep 1; echo > '{}'; }} &", folder.path().join(name).display());
+        let stopped = sh(&format!("{} wait", touch("stopped")), 300, 100);
+        let ended = sh(&format!("{} echo one", touch("ended")), 10_000, 100);
+        thread::sleep(Duration::from_secs(2));
+        assert!(stopped.status.is_none() && !folder.path().join("stopped").exists(), "it was stopped");
+        assert!(ended.well() && !folder.path().join("ended").exists(), "it ended by itself");
     }
 }
