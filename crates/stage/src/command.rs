@@ -18,6 +18,9 @@ use crate::{
     write_picture,
 };
 
+/// The folder of all pictures that nobody names.
+const OUT: &str = "out";
+
 /// The whole program of a stage: reads the command line, does it, and says how it ended.
 pub fn main(stage: &dyn Stage) -> ExitCode {
     main_from(stage, std::env::args_os())
@@ -88,6 +91,10 @@ fn show(
     json: bool,
     output: &mut dyn Write,
 ) -> Result<(), Error> {
+    // What cannot be kept is not begun, and a wrong request leaves no folder behind.
+    if out.is_some() || Path::new(OUT).exists() {
+        try_at(&picture_path(stage, out)?)?;
+    }
     let shown = stage.show(ask)?;
     if let (Some(_), Some(seen)) = (ids, &shown.ids)
         && seen.nameless > 0
@@ -132,9 +139,9 @@ fn picture_path(stage: &dyn Stage, out: Option<&PathBuf>) -> Result<PathBuf, Err
     if let Some(path) = out {
         return Ok(path.clone());
     }
-    let folder = Path::new("out");
+    let folder = Path::new(OUT);
     std::fs::create_dir_all(folder).map_err(|error| {
-        Error::Failed(format!("cannot make the folder out: {error}; name a file with --out"))
+        Error::Failed(format!("cannot make the folder {OUT}: {error}; name a file with --out"))
     })?;
     Ok(folder.join(stage.about().name).with_extension("png"))
 }

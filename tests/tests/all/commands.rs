@@ -10,7 +10,9 @@ use crate::process::{run, run_with_input};
 fn show_is_what_a_stage_does_by_itself() {
     for stage in STAGES {
         let (folder, name) = (Folder::new(), stage.about().name);
-        let [bare, named] = [&[][..], &["show"]].map(|args| run(folder.path(), name, args));
+        let small = ["--size", "64x48"];
+        let named = [&["show"], small.as_slice()].concat();
+        let [bare, named] = [small.as_slice(), &named].map(|args| run(folder.path(), name, args));
         assert_eq!((bare.status, bare.errors.as_str()), (0, ""));
         assert_eq!(bare.output, named.output);
         assert!(bare.output.ends_with(&format!("\npicture: out/{name}.png\n")), "{}", bare.output);

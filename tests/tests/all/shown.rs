@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use rayon::prelude::*;
 use stage::{Ask, Precision, Shown, Stage};
 use tests::STAGES;
 
@@ -11,7 +12,8 @@ pub(crate) type Answer = (&'static dyn Stage, Ask, Shown);
 /// The answers of every stage by every method at both precisions.
 pub(crate) static SHOWN: LazyLock<Vec<Answer>> = LazyLock::new(|| {
     let all = STAGES.iter().flat_map(|stage| requests(*stage).map(move |ask| (*stage, ask)));
-    all.map(|(stage, ask)| (stage, ask.clone(), stage.show(&ask).unwrap())).collect()
+    let all: Vec<_> = all.collect();
+    all.into_par_iter().map(|(stage, ask)| (stage, ask.clone(), stage.show(&ask).unwrap())).collect()
 });
 
 /// Every request of a stage that differs from the default one in method or precision only.

@@ -1,6 +1,8 @@
 //! `trade` through its command: the contract's columns, figures that a seed decides, drawings in
 //! their places, refusals. What the lab makes of answers that are known is tested in `crates/lab/tests`.
 
+use std::sync::LazyLock;
+
 use serde_json::Value;
 use stage::Stage;
 use tests::{Folder, STAGES};
@@ -47,6 +49,10 @@ fn records(stage: &dyn Stage, args: &[&str]) -> Vec<Value> {
     serde_json::from_str(&run.output).unwrap_or_else(|error| panic!("{error}:\n{}", run.output))
 }
 
+/// What each stage measures when nothing is said, worked out once for all the tests that look at it.
+static RECORDS: LazyLock<Vec<Vec<Value>>> =
+    LazyLock::new(|| STAGES.iter().map(|stage| records(*stage, &[])).collect());
+
 /// The method and the precision of each record; of whole pictures, which are measured in many settings, each pair once, in
 /// the order of the methods.
 fn named(stage: &dyn Stage, records: &[Value]) -> Vec<[String; 2]> {
@@ -67,10 +73,10 @@ fn methods_and_precisions(stage: &dyn Stage) -> Vec<[String; 2]> {
 
 #[test]
 fn records_are_the_contracts() {
-    for stage in STAGES {
-        let (records, first) = (records(*stage, &[]), regimes(*stage)[0].clone());
-        assert_eq!(named(*stage, &records), methods_and_precisions(*stage));
-        for record in &records {
+    for (stage, records) in STAGES.iter().zip(&*RECORDS) {
+        let first = regimes(*stage)[0].clone();
+        assert_eq!(named(*stage, records), methods_and_precisions(*stage));
+        for record in records {
             assert_eq!((text(&record["regime"]), record["cases"].as_u64()), (first.clone(), Some(200)));
             assert!(record["pareto"].is_boolean(), "{record}");
             // grids of pixels, and whole scenes
@@ -99,15 +105,14 @@ fn text(value: &Value) -> String {
 /// follows from them.
 #[test]
 fn csv_has_the_same_records_and_a_seed_decides_the_counts() {
-    for stage in STAGES {
+    for (stage, records) in STAGES.iter().zip(&*RECORDS) {
         let run = trade(&Folder::new(), *stage, "200", &["--format", "csv"]);
         assert_eq!((run.status, run.errors.as_str()), (0, ""));
         let mut lines = run.output.lines();
         let header: Vec<&str> = lines.next().expect("a header row").split(',').collect();
         assert_eq!(header[..CONTRACT.len()], CONTRACT);
-        let records = records(*stage, &[]);
         assert_eq!(lines.clone().count(), records.len());
-        for (line, record) in lines.zip(&records) {
+        for (line, record) in lines.zip(records) {
             let fields: Vec<&str> = line.split(',').collect();
             let keys = record.as_object().expect("a record is an object");
             assert_eq!((fields.len(), keys.len()), (header.len(), header.len()), "{line}");
@@ -164,7 +169,7 @@ fn what_a_seed_decides_is_the_same_everywhere() {
 
 #[test]
 fn another_seed_measures_other_cases() {
-    for stage in STAGES {
+    for (stage, first) in STAGES.iter().zip(&*RECORDS) {
         let error = match stage.about().name {
             "pinhole" => "pixel_error_mean",
             // a seed only says which pixels of the same picture are looked at, and they see the same object
@@ -174,11 +179,9 @@ fn another_seed_measures_other_cases() {
             "whitted" => "rmse",
             _ => "error",
         };
-        let [one, other] = ["1", "2"].map(|seed| {
-            let records = records(*stage, &["--seed", seed]);
-            records.iter().map(|record| record[error].clone()).collect::<Vec<_>>()
-        });
-        assert_ne!(one, other, "{}", stage.about().name);
+        let errors =
+            |records: &[Value]| records.iter().map(|record| record[error].clone()).collect::<Vec<_>>();
+        assert_ne!(errors(first), errors(&records(*stage, &["--seed", "1"])), "{}", stage.about().name);
     }
 }
 

@@ -72,7 +72,7 @@ fn not_finite(x: f64) -> &'static str {
 
 #[test]
 fn every_pixel_of_a_small_picture_is_explained() {
-    let size = (8, 6);
+    let size = (6, 4);
     for stage in STAGES {
         let name = stage.about().name;
         for ask in requests(*stage) {
