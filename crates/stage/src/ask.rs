@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use math::Real;
 
-use crate::{Canvas, Case, Error, Flag, Ids, Row, Section, TradeAsk, Traded, Transcript};
+use crate::{Canvas, Case, Error, Flag, Ids, Inspector, Row, Section, TradeAsk, Traded, Transcript};
 
 /// A chapter as it is written: all that a new stage has to say.
 pub trait Chapter: Sync {
@@ -22,6 +22,14 @@ pub trait Chapter: Sync {
     /// [`Error::Request`] where the request cannot be served at any precision, as by [`Chapter::show`].
     fn precision(&self, ask: &Ask) -> Result<Chosen, Error> {
         Ok(Chosen { precision: ask.precision, why: None })
+    }
+
+    /// Hands the rays of the picture, computed in R, to `write`, which looks at them one by one. Only a stage that
+    /// lists [`Flag::Inspect`] is asked.
+    ///
+    /// [`Error::Request`] where the request cannot be served, as by [`Chapter::show`]; the error of `write`.
+    fn inspect<R: Real>(&self, _: &Ask, _: Inspector<'_>) -> Result<(), Error> {
+        Err(no_inspector(&self.about()))
     }
 
     /// Answers one row of a case file in R; an invalid case is a row too. A stage whose [`About::inputs`] are empty
@@ -46,6 +54,11 @@ pub trait Stage: Sync {
     /// See [`Chapter::show`].
     fn show(&self, ask: &Ask) -> Result<Shown, Error>;
 
+    /// See [`Chapter::inspect`].
+    fn inspect(&self, _: &Ask, _: Inspector<'_>) -> Result<(), Error> {
+        Err(no_inspector(&self.about()))
+    }
+
     /// See [`Chapter::eval`].
     fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error>;
 
@@ -68,6 +81,13 @@ impl<C: Chapter> Stage for C {
         }
     }
 
+    fn inspect(&self, ask: &Ask, write: Inspector<'_>) -> Result<(), Error> {
+        match ask.precision {
+            Precision::F32 => Chapter::inspect::<f32>(self, ask, write),
+            Precision::F64 => Chapter::inspect::<f64>(self, ask, write),
+        }
+    }
+
     fn eval(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
         match ask.precision {
             Precision::F32 => Chapter::eval::<f32>(self, ask, case),
@@ -78,6 +98,11 @@ impl<C: Chapter> Stage for C {
     fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
         Chapter::trade(self, ask)
     }
+}
+
+/// What a stage says whose rays cannot be looked at one by one.
+fn no_inspector(about: &About) -> Error {
+    Error::Request(format!("{} has no inspector; --pixel explains a ray", about.name))
 }
 
 /// What every stage says of itself.

@@ -10,6 +10,7 @@ use clap::parser::ValueSource;
 
 use crate::eval::eval;
 use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command, for_show};
+use crate::inspect::write_page;
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
 use crate::whole_file::try_at;
@@ -64,6 +65,9 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
         Some((verb @ ("trade" | "eval"), _)) if ask.auto => {
             Err(Error::Request(format!("--precision {AUTO} is for show; {verb} takes f32 or f64")))
         }
+        Some(("eval", _)) if Flag::Inspect.value::<PathBuf>(&about, matches).is_some() => {
+            Err(Error::Request("--inspect is for show; leave it out of eval".to_string()))
+        }
         Some(("trade", matches)) => trade(stage, matches, &ask, output),
         _ if format == "csv" => {
             let eval = if about.inputs.is_empty() { "" } else { ", and eval prints CSV in any case" };
@@ -73,9 +77,12 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
             eval(stage, &ask, matches.get_one::<PathBuf>("cases").map(PathBuf::as_path), output)
         }
         _ => {
-            let out = matches.get_one::<PathBuf>("out");
-            let ids: Option<PathBuf> = Flag::Ids.value(&about, matches);
-            show(stage, &ask, out, ids.as_deref(), format == "json", output)
+            let files = Files {
+                out: matches.get_one("out").cloned(),
+                ids: Flag::Ids.value(&about, matches),
+                inspect: Flag::Inspect.value(&about, matches),
+            };
+            show(stage, &ask, &files, format == "json", output)
         }
     };
     // What was answered before an error is still worth having.
@@ -83,17 +90,36 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
     done.and(flushed)
 }
 
+/// The files of `show` that are asked for.
+struct Files {
+    /// The picture.
+    out: Option<PathBuf>,
+    /// The ids of what is seen.
+    ids: Option<PathBuf>,
+    /// The page to look at rays.
+    inspect: Option<PathBuf>,
+}
+
 fn show(
     stage: &dyn Stage,
     ask: &Ask,
-    out: Option<&PathBuf>,
-    ids: Option<&Path>,
+    files: &Files,
     json: bool,
     output: &mut dyn Write,
 ) -> Result<(), Error> {
+    let Files { out, ids, inspect } = files;
     // What cannot be kept is not begun, and a wrong request leaves no folder behind.
     if out.is_some() || Path::new(OUT).exists() {
         try_at(&picture_path(stage, out)?)?;
+    }
+    if let Some(page) = inspect {
+        try_at(page)?;
+        for (flag, other) in [("--out", out), ("--ids", ids)] {
+            if other.as_ref().is_some_and(|other| same_file(page, other)) {
+                let place = page.display();
+                return Err(Error::Request(format!("--inspect and {flag} are both {place}; name two files")));
+            }
+        }
     }
     let shown = stage.show(ask)?;
     if let (Some(_), Some(seen)) = (ids, &shown.ids)
@@ -104,7 +130,7 @@ fn show(
             seen.nameless
         )));
     }
-    let path = picture_path(stage, out)?;
+    let path = picture_path(stage, out.as_ref())?;
     if let Some(ids) = ids {
         if same_file(ids, &path) {
             let place = path.display();
@@ -121,7 +147,23 @@ fn show(
             said += &format!("ids: {}\n", path.display());
         }
     }
+    if let Some(page) = inspect {
+        inspector(stage, ask, shown, page)?;
+        if !json {
+            said += &format!("inspector: {}\n", page.display());
+        }
+    }
     output.write_all(said.as_bytes()).map_err(Error::from_output)
+}
+
+/// Writes the page to look at rays, in the numbers that the transcript has.
+fn inspector(stage: &dyn Stage, ask: &Ask, shown: Shown, page: &Path) -> Result<(), Error> {
+    // the picture's memory is needed no more
+    let Shown { transcript, .. } = shown;
+    let chosen = Precision::ALL.into_iter().find(|precision| precision.name() == transcript.precision);
+    let precision = chosen.unwrap_or(ask.precision);
+    let ask = Ask { precision, auto: false, ..ask.clone() };
+    stage.inspect(&ask, &mut |rays| write_page(page, &stage.about(), &transcript, rays))
 }
 
 /// Whether two names are of one file, be it there or not.

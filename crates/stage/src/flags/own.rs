@@ -7,6 +7,7 @@ use clap::{Arg, ArgAction, ArgMatches, value_parser};
 
 use super::parse_png;
 use crate::About;
+use crate::inspect::MOST_INSPECTED;
 
 /// A flag that only some stages have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +18,9 @@ pub enum Flag {
     SceneOfShow,
     /// `--ids FILE.png`: the ids of the objects as a picture of 16-bit grays.
     Ids,
+    /// `--inspect FILE.html`: a page on which every pixel's ray can be looked at, see
+    /// [`Chapter::inspect`](crate::Chapter::inspect).
+    Inspect,
     /// `--srgb`: the picture is encoded by the sRGB curve.
     Srgb,
     /// `--samples N`: N × N rays a pixel.
@@ -40,6 +44,7 @@ impl Flag {
         match self {
             Flag::Scene | Flag::SceneOfShow => "scene",
             Flag::Ids => "ids",
+            Flag::Inspect => "inspect",
             Flag::Srgb => "srgb",
             Flag::Samples => "samples",
             Flag::Threads => "threads",
@@ -73,6 +78,9 @@ impl Flag {
                 .value_name("FILE.png")
                 .value_parser(parse_png)
                 .help("Write the ids of the objects too, in 16-bit gray; 0 where none is hit"),
+            Flag::Inspect => arg.value_name("FILE.html").value_parser(parse_html).help(format!(
+                "Write a page to look at every pixel's ray; without --size of at most {MOST_INSPECTED} pixels"
+            )),
             Flag::Srgb => switch("Encode the picture by the sRGB curve"),
             Flag::Samples => number("N", "Trace N x N rays a pixel, N from 1 to 64 [default: 1]")
                 .value_parser(|text: &str| whole(text, 1..=64)),
@@ -105,6 +113,13 @@ impl Flag {
     pub(crate) fn is_set(self, about: &About, matches: &ArgMatches) -> bool {
         about.flags.contains(&self) && matches.get_flag(self.name())
     }
+}
+
+/// Reads a file name that ends in `.html`.
+fn parse_html(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let is_html = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html"));
+    if is_html { Ok(path) } else { Err("it is a page; name a file that ends in .html".to_string()) }
 }
 
 /// Reads a whole number of a range.

@@ -15,6 +15,7 @@ struct Every {
 const FLAGS: &[Flag] = &[
     Flag::Scene,
     Flag::Ids,
+    Flag::Inspect,
     Flag::Srgb,
     Flag::Samples,
     Flag::Threads,
@@ -89,6 +90,7 @@ fn own_flags_stand_before_or_after_the_verb() {
 #[test]
 fn a_wrong_value_is_told_what_would_be_right() {
     for (flag, bad, right) in [
+        ("--inspect", "a.png", "ends in .html"),
         ("--samples", "65", "from 1 to 64"),
         ("--threads", "0", "from 1 to 1024"),
         ("--depth", "-1", "from 1 to 1000"),
@@ -131,7 +133,7 @@ fn the_help_of_trade_names_what_is_for_show() {
     let help =
         |about: &About| command(about).try_get_matches_from(["", "trade", "--help"]).unwrap_err().to_string();
     let every = help(&Chapter::about(&Every::default()));
-    let named = "--pixel, --size, --ids, --srgb, --samples, --threads, --depth, --tolerance and --explain are for show.";
+    let named = "--pixel, --size, --ids, --inspect, --srgb, --samples, --threads, --depth, --tolerance and --explain are for show.";
     assert!(every.contains(named), "{every}");
     assert!(every.contains("--scene <FILE>") && !every.contains("--samples <N>"), "{every}");
     assert!(help(&Fake::default().about()).contains("\n--pixel and --size are for show."));
@@ -144,6 +146,7 @@ fn trade_refuses_what_is_for_show() {
         &["--size", "10x10"][..],
         &["--pixel", "3,3"],
         &["--ids", "ids.png"],
+        &["--inspect", "a.html"],
         &["--srgb"],
         &["--samples", "2"],
         &["--threads", "2"],
@@ -158,6 +161,43 @@ fn trade_refuses_what_is_for_show() {
             assert!(said.contains(" is for show; leave it out of trade"), "{words:?}: {said}");
         }
     }
+}
+
+#[test]
+fn eval_refuses_the_inspector() {
+    for words in [["--inspect", "a.html", "eval"], ["eval", "--inspect", "a.html"]] {
+        let error = Every::default().serve(&words).unwrap_err();
+        assert_eq!(
+            (error.status(), error.to_string().as_str()),
+            (2, "--inspect is for show; leave it out of eval")
+        );
+    }
+}
+
+/// What keeps the page from being written is told before the picture is asked for.
+#[test]
+fn a_page_needs_a_place_of_its_own() {
+    let (folder, _) = folder("page");
+    let [page, missing] =
+        ["page.html", "missing/page.html"].map(|name| folder.join(name).display().to_string());
+    // only a link can make a picture and a page one file
+    std::fs::write(&page, "").unwrap();
+    let linked = folder.join("linked.png").display().to_string();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(&page, &linked).unwrap();
+    for (words, status, cause) in [
+        (&["--inspect", &missing][..], 1, "there is no folder"),
+        #[cfg(unix)]
+        (&["--inspect", &page, "--out", &linked], 2, "--inspect and --out are both "),
+        #[cfg(unix)]
+        (&["--inspect", &page, "--ids", &linked], 2, "--inspect and --ids are both "),
+        (&["--inspect", &page], 1, "no picture"),
+    ] {
+        let error = Every::default().serve(words).unwrap_err();
+        assert_eq!(error.status(), status, "{error}");
+        assert!(error.to_string().contains(cause), "{error}");
+    }
+    std::fs::remove_dir_all(folder).unwrap();
 }
 
 /// A stage whose trade takes no scene: it does not list the flag, and says what to name instead.

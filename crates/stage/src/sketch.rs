@@ -1,0 +1,239 @@
+//! A section of what happened, as a small drawing: SVG whose colors the page that shows it chooses.
+
+use std::fmt::Write;
+
+use crate::View;
+
+/// The frame of every sketch, in drawing units: columns and rows.
+pub const SKETCH: (u32, u32) = (480, 320);
+/// The border that stays free around the plane, in drawing units.
+const BORDER: f32 = 12.0;
+/// The length of an arrow's head, in drawing units.
+const HEAD: f64 = 9.0;
+
+/// A place of the plane, y upward.
+type Place = (f64, f64);
+
+/// What a line stands for; how that looks is up to the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ink {
+    /// The ray that is followed.
+    Ray,
+    /// The outline of an object.
+    Object,
+    /// The object's surface where it is met.
+    Surface,
+    /// A normal.
+    Normal,
+    /// A length that is measured.
+    Length,
+    /// What helps to read the drawing: axes, a view plane.
+    Quiet,
+    /// A ray in a mirror direction.
+    Mirror,
+    /// A ray that went through a surface.
+    Refracted,
+    /// A ray to a light.
+    Shadow,
+}
+
+impl Ink {
+    /// The class of the SVG element.
+    fn class(self) -> &'static str {
+        match self {
+            Ink::Ray => "ray",
+            Ink::Object => "object",
+            Ink::Surface => "surface",
+            Ink::Normal => "normal",
+            Ink::Length => "length",
+            Ink::Quiet => "quiet",
+            Ink::Mirror => "mirror",
+            Ink::Refracted => "refracted",
+            Ink::Shadow => "shadow",
+        }
+    }
+}
+
+/// A drawing of a part of a plane, in the making; what is drawn later lies on top.
+///
+/// It is a fragment: the elements that stand within an `<svg viewBox="0 0 480 320">`, see [`SKETCH`]. Lines are cut
+/// off at the frame, and what has no place there, for it is too far away or no number, is left out.
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    view: View,
+    text: String,
+}
+
+impl Sketch {
+    /// The part of the plane from the lower left corner `low` to the upper right `high`, as large as the frame allows.
+    pub fn new(low: Place, high: Place) -> Sketch {
+        let (right, bottom) = (SKETCH.0 as f32 - BORDER, SKETCH.1 as f32 - BORDER);
+        Sketch { view: View::new(low, high, (BORDER, BORDER), (right, bottom)), text: String::new() }
+    }
+
+    /// A line.
+    pub fn line(&mut self, from: Place, to: Place, ink: Ink) -> &mut Sketch {
+        self.stroke(from, to, ink, false, 1.0)
+    }
+
+    /// A line with a head at `to`, where that is within the frame. Its width is `weight`, from 0 to 1.
+    pub fn arrow(&mut self, from: Place, to: Place, ink: Ink, weight: f64) -> &mut Sketch {
+        self.stroke(from, to, ink, true, weight)
+    }
+
+    fn stroke(&mut self, from: Place, to: Place, ink: Ink, has_head: bool, weight: f64) -> &mut Sketch {
+        let Some(((x, y), (to_x, to_y))) = within_frame(self.at(from), self.at(to)) else { return self };
+        let class = ink.class();
+        // a ray that brings little is thin, and still a line
+        let width = match weight {
+            weight if weight < 1.0 => {
+                format!(" style=\"stroke-width:{}\"", tenths(0.8 + 1.6 * weight.max(0.0).sqrt()))
+            }
+            _ => String::new(),
+        };
+        let [x1, y1, x2, y2] = [x, y, to_x, to_y].map(tenths);
+        self.add(format_args!("<path class=\"{class}\"{width} d=\"M{x1} {y1}L{x2} {y2}\"/>"));
+        let (dx, dy) = (to_x - x, to_y - y);
+        let length = (dx * dx + dy * dy).sqrt();
+        if has_head && length > HEAD {
+            let (dx, dy) = (HEAD * dx / length, HEAD * dy / length);
+            let (back, aside) = ((to_x - dx, to_y - dy), (0.4 * -dy, 0.4 * dx));
+            let wings = [back.0 + aside.0, back.1 + aside.1, back.0 - aside.0, back.1 - aside.1].map(tenths);
+            let [ax, ay, bx, by] = wings;
+            self.add(format_args!("<path class=\"{class} head\" d=\"M{x2} {y2}L{ax} {ay}L{bx} {by}z\"/>"));
+        }
+        self
+    }
+
+    /// A circle by its center and radius.
+    pub fn circle(&mut self, center: Place, radius: f64, ink: Ink) -> &mut Sketch {
+        let ((x, y), radius) = (self.at(center), f64::from(self.view.length(radius)));
+        if [x, y, radius].iter().all(|it| it.is_finite()) {
+            let ([x, y, radius], class) = ([x, y, radius].map(tenths), ink.class());
+            self.add(format_args!("<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>"));
+        }
+        self
+    }
+
+    /// A closed outline through its corners.
+    pub fn outline(&mut self, corners: &[Place], ink: Ink) -> &mut Sketch {
+        let places: Vec<Place> = corners.iter().map(|&corner| self.at(corner)).collect();
+        if places.iter().all(|(x, y)| x.is_finite() && y.is_finite()) {
+            let places: Vec<String> =
+                places.iter().map(|&(x, y)| format!("{} {}", tenths(x), tenths(y))).collect();
+            let class = ink.class();
+            self.add(format_args!("<path class=\"{class}\" d=\"M{}z\"/>", places.join("L")));
+        }
+        self
+    }
+
+    /// A dot.
+    pub fn dot(&mut self, place: Place, ink: Ink) -> &mut Sketch {
+        let (x, y) = self.at(place);
+        if is_inside((x, y)) {
+            let ([x, y], class) = ([x, y].map(tenths), ink.class());
+            self.add(format_args!("<circle class=\"{class} dot\" cx=\"{x}\" cy=\"{y}\" r=\"3.2\"/>"));
+        }
+        self
+    }
+
+    /// A text whose middle stands `aside` of a place, in drawing units to the right and downward.
+    pub fn label(&mut self, place: Place, aside: (f64, f64), ink: Ink, text: &str) -> &mut Sketch {
+        let (x, y) = self.at(place);
+        let (x, y) = (x + aside.0, y + aside.1 + 4.0);
+        if is_inside((x, y)) {
+            let ([x, y], class, text) = ([x, y].map(tenths), ink.class(), escaped(text));
+            self.add(format_args!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{text}</text>"));
+        }
+        self
+    }
+
+    /// A text that begins at a place of the frame, in drawing units.
+    pub fn caption(&mut self, (x, y): (f64, f64), ink: Ink, text: &str) -> &mut Sketch {
+        let ([x, y], class, text) = ([x, y].map(tenths), ink.class(), escaped(text));
+        self.add(format_args!("<text class=\"{class} caption\" x=\"{x}\" y=\"{y}\">{text}</text>"));
+        self
+    }
+
+    /// The elements.
+    pub fn into_svg(self) -> String {
+        self.text
+    }
+
+    fn at(&self, place: Place) -> Place {
+        let (x, y) = self.view.at(place);
+        (f64::from(x), f64::from(y))
+    }
+
+    fn add(&mut self, element: std::fmt::Arguments<'_>) {
+        // a String takes whatever is written
+        let _ = self.text.write_fmt(element);
+    }
+}
+
+/// A text as HTML or SVG, between tags or inside a quoted attribute.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut marked_up = String::with_capacity(text.len());
+    for sign in text.chars() {
+        match sign {
+            '&' => marked_up.push_str("&amp;"),
+            '<' => marked_up.push_str("&lt;"),
+            '>' => marked_up.push_str("&gt;"),
+            '"' => marked_up.push_str("&quot;"),
+            '\'' => marked_up.push_str("&#39;"),
+            other => marked_up.push(other),
+        }
+    }
+    marked_up
+}
+
+/// A length to a tenth of a drawing unit, which nobody sees.
+fn tenths(x: f64) -> f64 {
+    // adding 0 makes minus zero zero
+    (10.0 * x).round() / 10.0 + 0.0
+}
+
+fn is_inside((x, y): Place) -> bool {
+    (0.0..=f64::from(SKETCH.0)).contains(&x) && (0.0..=f64::from(SKETCH.1)).contains(&y)
+}
+
+/// What of a line is within the frame; `None` where nothing is.
+fn within_frame((x, y): Place, (to_x, to_y): Place) -> Option<(Place, Place)> {
+    let (dx, dy) = (to_x - x, to_y - y);
+    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+    for (p, d, high) in [(x, dx, f64::from(SKETCH.0)), (y, dy, f64::from(SKETCH.1))] {
+        if d == 0.0 {
+            if !(0.0..=high).contains(&p) {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (-p / d, (high - p) / d);
+        (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
+    }
+    let is_there = enters < leaves && [x, y, dx, dy].iter().all(|it| it.is_finite());
+    is_there.then_some(((x + enters * dx, y + enters * dy), (x + leaves * dx, y + leaves * dy)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_ends_at_the_frame_and_what_has_no_place_is_left_out() {
+        // one unit of the plane is 29.6 drawing units, and (0, 0) the middle
+        let mut sketch = Sketch::new((-5.0, -5.0), (5.0, 5.0));
+        sketch.line((0.0, 0.0), (100.0, 0.0), Ink::Ray);
+        sketch.line((0.0, 100.0), (1.0, 100.0), Ink::Ray).dot((100.0, 0.0), Ink::Ray);
+        sketch.line((f64::NAN, 0.0), (1.0, f64::INFINITY), Ink::Ray).circle((0.0, f64::NAN), 1.0, Ink::Ray);
+        assert_eq!(sketch.into_svg(), "<path class=\"ray\" d=\"M240 160L480 160\"/>");
+    }
+
+    #[test]
+    fn text_stays_text() {
+        let mut sketch = Sketch::new((-5.0, -5.0), (5.0, 5.0));
+        sketch.label((0.0, 0.0), (0.0, -4.0), Ink::Quiet, "d < r & 'a'");
+        let want = "<text class=\"quiet\" x=\"240\" y=\"160\">d &lt; r &amp; &#39;a&#39;</text>";
+        assert_eq!(sketch.into_svg(), want);
+    }
+}
