@@ -17,6 +17,8 @@ mod explain;
 pub mod glance;
 pub mod half_quadratic;
 #[cfg(feature = "stage")]
+mod inspect;
+#[cfg(feature = "stage")]
 mod map;
 #[cfg(feature = "stage")]
 mod measure;

@@ -1,12 +1,12 @@
 //! How this chapter shows and evaluates itself.
 
 use math::{Ray3, Real, Span};
-use stage::{About, Ask, Case, Chapter, Error, Row, Shown, TradeAsk, Traded, Transcript};
+use stage::{About, Ask, Case, Chapter, Error, Flag, Inspector, Row, Shown, TradeAsk, Traded, Transcript};
 
 use crate::measure::question;
 use crate::regimes::regimes;
 use crate::scene::{Painted, camera, pixel_ray, tangents, three_spheres, trace_ray};
-use crate::{Method, explain, map, picture, reject};
+use crate::{Method, explain, inspect, map, picture, reject};
 
 /// The stage `ray-sphere`.
 pub struct RaySphere;
@@ -22,7 +22,7 @@ impl Chapter for RaySphere {
             size: (540, 540),
             picture: "Gambetta's three spheres on his lattice, one ray a pixel, seen from above and from \
                       the right in the corners; the rays that touch a sphere exactly are ringed.",
-            flags: &[],
+            flags: &[Flag::Inspect],
             inputs: &["ox", "oy", "oz", "dx", "dy", "dz", "cx", "cy", "cz", "r"],
             words: &[],
             results: &["hit", "t", "t_out", "x", "y", "z", "nx", "ny", "nz", "reason"],
@@ -58,6 +58,10 @@ impl Chapter for RaySphere {
         Ok(Shown { transcript, picture, ids: None })
     }
 
+    fn inspect<R: Real>(&self, ask: &Ask, write: Inspector<'_>) -> Result<(), Error> {
+        inspect::inspect::<R>(ask, self.about().size, write)
+    }
+
     fn eval<R: Real>(&self, ask: &Ask, case: &Case<'_>) -> Result<Row, Error> {
         let (ray, sphere) = question(case.numbers::<R, 10>()?);
         let work = Method::ALL[ask.method].work(&ray, &sphere);
@@ -84,7 +88,7 @@ impl Chapter for RaySphere {
 }
 
 /// The sphere a ray is explained against: the one it meets first, else the one it passes closest to.
-fn subject<R: Real>(method: Method, ray: &Ray3<R>, spheres: &[Painted<R>]) -> usize {
+pub(crate) fn subject<R: Real>(method: Method, ray: &Ray3<R>, spheres: &[Painted<R>]) -> usize {
     if let Some((index, _)) = trace_ray(method, ray, spheres, Span::from_view_plane()) {
         return index;
     }
