@@ -17,6 +17,8 @@ mod false_color;
 pub mod first_hit;
 #[cfg(feature = "stage")]
 pub mod from_file;
+#[cfg(feature = "stage")]
+mod inspect;
 #[cfg(all(test, feature = "stage"))]
 mod judged;
 #[cfg(feature = "stage")]

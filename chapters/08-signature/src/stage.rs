@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use math::Real;
-use stage::{About, Ask, Chapter, Error, Flag, Shown, TradeAsk, Traded, Transcript};
+use stage::{About, Ask, Chapter, Error, Flag, Inspector, Shown, TradeAsk, Traded, Transcript};
 
 use crate::measure::{SCENES, measure};
 use crate::picture::Seen;
-use crate::{Method, explain, from_file, picture, report};
+use crate::{Method, explain, from_file, inspect, picture, report};
 
 /// The stage `signature`.
 pub struct Signature;
@@ -27,7 +27,7 @@ impl Chapter for Signature {
             size: (480, 360),
             picture: "Each object in a color of its own, with its id where there is room for it; the pixel that is \
                       explained is ringed. --ids writes the ids themselves.",
-            flags: &[Flag::Scene, Flag::Ids],
+            flags: &[Flag::Scene, Flag::Ids, Flag::Inspect],
             inputs: &[],
             words: &[],
             results: &[],
@@ -56,13 +56,17 @@ impl Chapter for Signature {
         Ok(Shown { transcript, picture, ids: Some(seen.ids(&scene)) })
     }
 
+    fn inspect<R: Real>(&self, ask: &Ask, write: Inspector<'_>) -> Result<(), Error> {
+        inspect::inspect::<R>(ask, write)
+    }
+
     fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
         Ok(report::traded(&measure(ask)?, ask.seed))
     }
 }
 
 /// The pixel that is explained when none is asked for: of the chapter's own scene the worked one, else the middle.
-fn worked(ask: &Ask, size: (u32, u32)) -> (u32, u32) {
+pub(crate) fn worked(ask: &Ask, size: (u32, u32)) -> (u32, u32) {
     let own = (480, 360);
     if ask.scene.is_none() && size == own { WORKED } else { (size.0 / 2, size.1 / 2) }
 }
