@@ -20,6 +20,8 @@ mod explain;
 #[cfg(feature = "stage")]
 pub mod from_file;
 #[cfg(feature = "stage")]
+mod inspect;
+#[cfg(feature = "stage")]
 pub mod measure;
 pub mod media;
 pub mod mirror;

@@ -4,6 +4,7 @@
 mod above;
 mod angles;
 mod outlines;
+mod plan;
 
 use math::Real;
 use stage::{Canvas, Color, Error, Pen, Transcript};
@@ -11,6 +12,8 @@ use stage::{Canvas, Color, Error, Pen, Transcript};
 use crate::render::Rendered;
 use crate::show::Shot;
 use crate::{Kind, Tree};
+
+pub(crate) use plan::{Above, Plan};
 
 /// The frame in which the chapter's own picture is drawn.
 const FRAME: (f32, f32) = (960.0, 720.0);

@@ -17,6 +17,13 @@ pub struct Rendered {
     pub counts: Counts,
 }
 
+impl Rendered {
+    /// The radiance of a pixel of the picture.
+    pub(crate) fn at(&self, (col, row): (u32, u32)) -> Rgb {
+        self.radiance[row as usize * self.size.0 as usize + col as usize]
+    }
+}
+
 /// What a thread needs of its stack beside the rays: 1 MiB.
 const STACK: usize = 1 << 20;
 /// What a ray needs of it, rayTrace and rtShade together. Seen for a tree of a thousand rays, mirrored or refracted, are

@@ -29,7 +29,7 @@ const MOST: usize = 1024;
 pub(crate) struct Shot<'a, R: Real> {
     pub(crate) scene: &'a Scene<R>,
     pub(crate) parts: &'a Parts<'a, R>,
-    pub(crate) names: Names,
+    pub(crate) names: &'a Names,
     pub(crate) pixel: (u32, u32),
     /// N, for N × N rays.
     pub(crate) samples: u32,
@@ -48,13 +48,8 @@ pub(crate) fn rgb(Rgb(channels): Rgb) -> Value {
     Value::Array(channels.map(Value::number).to_vec())
 }
 
-/// The pixel: its ray, what its rays add up to, and its color.
-pub(crate) fn pixel<R: Real>(
-    transcript: &mut Transcript,
-    method: Method,
-    shot: &Shot<'_, R>,
-    rendered: &Rendered,
-) {
+/// The pixel: its ray, what its rays add up to, and its color, that of the `mean` of all rays through it.
+pub(crate) fn pixel<R: Real>(transcript: &mut Transcript, method: Method, shot: &Shot<'_, R>, mean: Rgb) {
     let Shot { tree, pixel: (col, row), samples, .. } = *shot;
     let title = format!("whitted · {} · {} · pixel {col},{row}", method.name(), R::NAME);
     let section = transcript.section(title, "CSC418 11.7");
@@ -90,7 +85,6 @@ pub(crate) fn pixel<R: Real>(
                 format!("the same sum in another order: rounding differs by {}", Value::number(off).to_text())
             }
         });
-    let mean = rendered.radiance[row as usize * rendered.size.0 as usize + col as usize];
     if samples > 1 {
         section.step("mean", "E of all rays through the pixel, divided by their number", rgb(mean));
     }
@@ -107,10 +101,22 @@ fn by_kind(counts: &Counts) -> String {
     format!("{eye} from the eye, {mirror} mirrored, {refracted} refracted, {shadow} to lights")
 }
 
-/// The rays of the pixel, in tables and one by one.
-pub(crate) fn rays<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
+/// The rays of the pixel in tables: where they went, and what they brought.
+pub(crate) fn tables<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
     table::rays(transcript, shot);
     table::sums(transcript, shot);
+}
+
+/// The ray from the eye, term by term.
+pub(crate) fn eye_ray<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
+    if !shot.tree.nodes.is_empty() {
+        of_ray(transcript, shot, 0, true);
+    }
+}
+
+/// The rays of the pixel, in tables and one by one.
+pub(crate) fn rays<R: Real>(transcript: &mut Transcript, shot: &Shot<'_, R>) {
+    tables(transcript, shot);
     let places = heaviest(shot.tree);
     let (full, most) = (places.len().min(FULL), places.len().min(MOST));
     let mut shown = places[..most].to_vec();

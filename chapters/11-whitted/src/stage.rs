@@ -6,12 +6,12 @@ use bounds::Parts;
 use math::Real;
 use signature::Method;
 use signature::stage::fault;
-use stage::{About, Ask, Chapter, Chosen, Error, Flag, Shown, TradeAsk, Traded, Transcript};
+use stage::{About, Ask, Chapter, Chosen, Error, Flag, Inspector, Shown, TradeAsk, Traded, Transcript};
 
 use crate::measure::measure;
 use crate::scenes::SCENES;
 use crate::show::{self, Shot};
-use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, picture, render, report};
+use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, inspect, picture, render, report};
 
 /// The stage `whitted`.
 pub struct Whitted;
@@ -34,6 +34,7 @@ impl Chapter for Whitted {
                       from above, and light that leaves a slower medium, at the critical angle and on both sides of it.",
             flags: &[
                 Flag::Scene,
+                Flag::Inspect,
                 Flag::Srgb,
                 Flag::Samples,
                 Flag::Threads,
@@ -73,9 +74,9 @@ impl Chapter for Whitted {
         let rendered = render::render(&tracer, size, samples, ask.threads, Some("whitted"))?;
 
         let mut transcript = Transcript::new(&self.about(), ask);
-        let (names, parts) = (show::Names::new(&file, &scene), bounded.all_parts());
+        let (names, parts) = (&show::Names::new(&file, &scene), bounded.all_parts());
         let shot = Shot { scene: &scene, parts, names, pixel, samples, srgb: ask.srgb, tree: &tree };
-        show::pixel(&mut transcript, method, &shot, &rendered);
+        show::pixel(&mut transcript, method, &shot, rendered.at(pixel));
         show::rays(&mut transcript, &shot);
         show::critical_angles(&mut transcript, &shot, own);
         show::counts(&mut transcript, &rendered, ask.tolerance);
@@ -91,6 +92,10 @@ impl Chapter for Whitted {
         Ok(Shown { transcript, picture, ids: None })
     }
 
+    fn inspect<R: Real>(&self, ask: &Ask, write: Inspector<'_>) -> Result<(), Error> {
+        inspect::inspect::<R>(ask, write)
+    }
+
     fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error> {
         Ok(report::traded(&measure(ask)?, ask))
     }
@@ -98,7 +103,7 @@ impl Chapter for Whitted {
 
 /// The pixel that is explained when none is asked for: of the chapter's own scene the worked one, or where
 /// that is in a picture of another size; else the middle.
-fn worked(own: bool, size: (u32, u32)) -> (u32, u32) {
+pub(crate) fn worked(own: bool, size: (u32, u32)) -> (u32, u32) {
     let scaled = |at: u32, of: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(of)) as u32;
     match own {
         true => (scaled(WORKED.0, SIZE.0, size.0), scaled(WORKED.1, SIZE.1, size.1)),

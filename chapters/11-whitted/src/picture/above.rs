@@ -1,14 +1,15 @@
 //! The rays of a pixel from above, along the camera's up axis: the eye is at the left and looks to the right.
 
+use bounds::Parts;
 use math::{Ray3, Real, Span, Vector};
 use shading::Fate;
 use stage::{Anchor, Canvas, Color, Pen, View};
 
 use super::outlines::Outline;
 use super::{LETTERS, color_of, least_first, plate};
-use crate::Kind;
 use crate::show::{ROWS, Shot};
 use crate::tree::Node;
+use crate::{Kind, Scene};
 
 /// A point on the plane of the view: how far ahead of the eye, and how far to its left.
 pub(super) type Place = (f64, f64);
@@ -16,7 +17,7 @@ pub(super) type Place = (f64, f64);
 /// A view from above between two corners of a canvas.
 pub(super) fn draw<R: Real>(canvas: &mut Canvas, shot: &Shot<'_, R>, from: (f32, f32), to: (f32, f32)) {
     plate(canvas, from, to);
-    let seen = From::new(shot, (from.0 + 4.0, from.1 + 4.0), (to.0 - 4.0, to.1 - 4.0));
+    let seen = From::new(shot.scene, shot.parts, (from.0 + 4.0, from.1 + 4.0), (to.0 - 4.0, to.1 - 4.0));
     seen.objects(canvas, shot);
     let rays = least_first(shot.tree);
     let shown =
@@ -38,7 +39,7 @@ pub(super) fn draw<R: Real>(canvas: &mut Canvas, shot: &Shot<'_, R>, from: (f32,
 pub(super) struct From {
     pub(super) view: View,
     /// The plate: its lower left and upper right corner, on the plane.
-    corners: [Place; 2],
+    pub(super) corners: [Place; 2],
     e: [f64; 3],
     u: [f64; 3],
     pub(super) v: [f64; 3],
@@ -47,8 +48,13 @@ pub(super) struct From {
 
 impl From {
     /// So that the eye and all that has an extent are within the plate.
-    fn new<R: Real>(shot: &Shot<'_, R>, from: (f32, f32), to: (f32, f32)) -> From {
-        let camera = &shot.scene.lit.geometry.camera;
+    pub(super) fn new<R: Real>(
+        scene: &Scene<R>,
+        parts: &Parts<'_, R>,
+        from: (f32, f32),
+        to: (f32, f32),
+    ) -> From {
+        let camera = &scene.lit.geometry.camera;
         let [e, u, v, w] = [camera.e, camera.u, camera.v, camera.w].map(Vector::in_f64::<3>);
         let any = View::new((0.0, 0.0), (1.0, 1.0), from, to);
         let mut seen = From { view: any, corners: [(0.0, 0.0); 2], e, u, v, w };
@@ -56,8 +62,8 @@ impl From {
         let mut hold = |(x, y): Place, r: f64| {
             (low, high) = ((low.0.min(x - r), low.1.min(y - r)), (high.0.max(x + r), high.1.max(y + r)));
         };
-        for object in 0..shot.scene.lit.geometry.objects.len() {
-            match seen.outline(shot, object) {
+        for object in 0..scene.lit.geometry.objects.len() {
+            match seen.outline(scene, parts, object) {
                 Some(Outline::Circle(place, r)) => hold(place, r),
                 Some(Outline::Around(places)) => places.into_iter().for_each(|place| hold(place, 0.0)),
                 None => {}
@@ -83,7 +89,7 @@ impl From {
     }
 
     /// Where a ray starts and ends on the plate; `None` where it is nowhere on it.
-    fn stretch<R: Real>(&self, node: &Node<R>) -> Option<(Place, Place)> {
+    pub(super) fn stretch<R: Real>(&self, node: &Node<R>) -> Option<(Place, Place)> {
         let ray = &node.sent.ray;
         let start = self.place(ray.origin);
         let end = match &node.landed {

@@ -1,11 +1,13 @@
 //! What objects look like from above.
 
+use bounds::Parts;
 use math::Real;
 use signature::Shape;
 use stage::{Anchor, Canvas, Color, Pen};
 
 use super::LETTERS;
 use super::above::{From, Place};
+use crate::Scene;
 use crate::show::Shot;
 
 /// What an object looks like from above.
@@ -19,15 +21,20 @@ pub(super) enum Outline {
 impl From {
     /// A sphere's circle; of another solid or a mesh what its box covers; nothing for what is flat, as a
     /// floor would be larger than all that stands on it.
-    pub(super) fn outline<R: Real>(&self, shot: &Shot<'_, R>, object: usize) -> Option<Outline> {
-        match &shot.scene.lit.geometry.objects[object].shape {
+    pub(super) fn outline<R: Real>(
+        &self,
+        scene: &Scene<R>,
+        parts: &Parts<'_, R>,
+        object: usize,
+    ) -> Option<Outline> {
+        match &scene.lit.geometry.objects[object].shape {
             Shape::Sphere(sphere) => {
                 return Some(Outline::Circle(self.place(sphere.center), sphere.radius.into()));
             }
             Shape::Plane(_) | Shape::Triangle(_) | Shape::Polygon(_) => return None,
             _ => {}
         }
-        let bounds = shot.parts.object_bounds(object)?;
+        let bounds = parts.object_bounds(object)?;
         let corner = |which: usize, axis: usize| {
             if which >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] }
         };
@@ -35,24 +42,27 @@ impl From {
         Some(Outline::Around(hull(corners.collect())))
     }
 
+    /// The places of the objects in the scene, the lowest first.
+    pub(super) fn from_below<R: Real>(&self, scene: &Scene<R>, parts: &Parts<'_, R>) -> Vec<usize> {
+        let height = |object: usize| {
+            let bounds = parts.object_bounds(object);
+            let middle = bounds.map(|it| [0, 1, 2].map(|i| f64::from(it.low[i] + it.high[i])));
+            middle.map_or(f64::NEG_INFINITY, |middle| (0..3).map(|i| middle[i] * self.v[i]).sum::<f64>())
+        };
+        let mut objects: Vec<usize> = (0..scene.lit.geometry.objects.len()).collect();
+        objects.sort_by(|&a, &b| height(a).total_cmp(&height(b)));
+        objects
+    }
+
     /// The objects, the lowest first, each in a pale tone of its color.
     pub(super) fn objects<R: Real>(&self, canvas: &mut Canvas, shot: &Shot<'_, R>) {
         let lit = &shot.scene.lit;
-        let height = |object: usize| {
-            let middle = shot
-                .parts
-                .object_bounds(object)
-                .map(|it| [0, 1, 2].map(|i| f64::from(it.low[i] + it.high[i])));
-            middle.map_or(f64::NEG_INFINITY, |middle| (0..3).map(|i| middle[i] * self.v[i]).sum::<f64>())
-        };
-        let mut objects: Vec<usize> = (0..lit.geometry.objects.len()).collect();
-        objects.sort_by(|&a, &b| height(a).total_cmp(&height(b)));
-        for object in objects {
+        for object in self.from_below(shot.scene, shot.parts) {
             let material = lit.painted[object].material;
             let pale = lit.materials[material].color * 0.3;
             let fill = Color::from_linear(pale.0.map(|channel| channel + 0.6));
             let rim = Pen::solid(Color::GRAY, 1.2);
-            match self.outline(shot, object) {
+            match self.outline(shot.scene, shot.parts, object) {
                 Some(Outline::Circle(place, r)) => {
                     canvas.disc(self.view.at(place), self.view.length(r), fill);
                     canvas.circle(self.view.at(place), self.view.length(r), rim);
@@ -74,7 +84,7 @@ impl From {
         let lit = &shot.scene.lit;
         let mut taken: Vec<(f32, f32, &str)> = Vec::new();
         for object in 0..lit.geometry.objects.len() {
-            let place = match self.outline(shot, object) {
+            let place = match self.outline(shot.scene, shot.parts, object) {
                 Some(Outline::Circle((x, y), r)) => (x, y - r),
                 Some(Outline::Around(places)) => {
                     let lower = |a: Place, b: Place| if b.1 < a.1 { b } else { a };

@@ -13,11 +13,11 @@ fn sections(text: &str, tolerance: Option<f64>) -> Vec<Section> {
     let tracer = Tracer::new(&scene, &bounded, &required, tolerance);
     let tree = render::tree(&tracer, (0, 0), 1).unwrap();
     let rendered = render::render(&tracer, scene.lit.geometry.size, 1, Some(1), None).unwrap();
-    let names = Names::new(&file, &scene);
+    let names = &Names::new(&file, &scene);
     let parts = bounded.all_parts();
     let shot = Shot { scene: &scene, parts, names, pixel: (0, 0), samples: 1, srgb: false, tree: &tree };
     let mut transcript = Transcript::new(&crate::stage::Whitted.about(), &Ask::default());
-    pixel(&mut transcript, Method::Robust, &shot, &rendered);
+    pixel(&mut transcript, Method::Robust, &shot, rendered.at((0, 0)));
     rays(&mut transcript, &shot);
     transcript.sections
 }
