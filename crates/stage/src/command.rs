@@ -9,7 +9,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 
 use crate::eval::eval;
-use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command, for_show};
+use crate::flags::{AUTO, TRADE_PLOT, TRADE_SEED, command, for_show, own_for_show};
 use crate::inspect::write_page;
 use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
@@ -65,15 +65,16 @@ fn serve(stage: &dyn Stage, matches: &ArgMatches, output: &mut dyn Write) -> Res
         Some((verb @ ("trade" | "eval"), _)) if ask.auto => {
             Err(Error::Request(format!("--precision {AUTO} is for show; {verb} takes f32 or f64")))
         }
-        Some(("eval", _)) if Flag::Inspect.value::<PathBuf>(&about, matches).is_some() => {
-            Err(Error::Request("--inspect is for show; leave it out of eval".to_string()))
-        }
         Some(("trade", matches)) => trade(stage, matches, &ask, output),
         _ if format == "csv" => {
             let eval = if about.inputs.is_empty() { "" } else { ", and eval prints CSV in any case" };
             Err(Error::Request(format!("--format csv is for trade; show prints text or json{eval}")))
         }
         Some(("eval", matches)) => {
+            let named = |flag: &&str| matches.value_source(flag) == Some(ValueSource::CommandLine);
+            if let Some(flag) = own_for_show(&about).find(named) {
+                return Err(Error::Request(format!("--{flag} is for show; leave it out of eval")));
+            }
             eval(stage, &ask, matches.get_one::<PathBuf>("cases").map(PathBuf::as_path), output)
         }
         _ => {

@@ -31,10 +31,12 @@ pub fn command(about: &About) -> Command {
     let eval = Command::new("eval")
         .about("Answer a case file: one result row a case")
         .after_help(format!(
-            "Reads the columns   {}\nWrites the columns  {}\n--pixel, --size, --out and --format are for show",
+            "Reads the columns   {}\nWrites the columns  {}\n{} are for show",
             inputs.join(","),
-            results.join(",")
+            results.join(","),
+            listed(["pixel", "size", "out", "format"].into_iter().chain(own_for_show(about)))
         ))
+        .args(hidden(about))
         .arg(
             Arg::new("cases")
                 .long("cases")
@@ -158,16 +160,31 @@ fn trade_flags(about: &About) -> Vec<Arg> {
         pixel.hide(true),
         size.hide(true),
     ];
-    // not listed there, and refused
-    let for_show = about.flags.iter().filter(|flag| flag.is_for_show());
-    flags.extend(for_show.filter_map(|flag| Some(flag.arg(about.name)?.hide(true))));
+    flags.extend(hidden(about));
     flags
+}
+
+/// The stage's own flags of `show` where they are refused, and not listed.
+fn hidden(about: &About) -> impl Iterator<Item = Arg> {
+    let for_show = about.flags.iter().filter(|flag| flag.is_for_show());
+    for_show.filter_map(|flag| Some(flag.arg(about.name)?.hide(true)))
 }
 
 /// The names of the flags that are for `show` and that `trade` refuses.
 pub(crate) fn for_show(about: &About) -> impl Iterator<Item = &'static str> {
-    let own = about.flags.iter().filter(|flag| flag.is_for_show()).map(|flag| flag.name());
-    ["pixel", "size"].into_iter().chain(own)
+    ["pixel", "size"].into_iter().chain(own_for_show(about))
+}
+
+/// Those of them that not every stage has.
+pub(crate) fn own_for_show(about: &About) -> impl Iterator<Item = &'static str> {
+    about.flags.iter().filter(|flag| flag.is_for_show()).map(|flag| flag.name())
+}
+
+/// Some flags in a sentence.
+fn listed(names: impl Iterator<Item = &'static str>) -> String {
+    let mut names: Vec<String> = names.map(|name| format!("--{name}")).collect();
+    let last = names.pop().unwrap_or_default();
+    format!("{} and {last}", names.join(", "))
 }
 
 /// What follows the flags in the help of `trade`.
@@ -175,9 +192,7 @@ fn trade_notes(about: &About) -> String {
     let About { trade, regimes, .. } = about;
     let width = regimes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let regimes: String = regimes.iter().map(|(name, what)| format!("\n  {name:width$}  {what}")).collect();
-    let mut for_show: Vec<String> = for_show(about).map(|name| format!("--{name}")).collect();
-    let last = for_show.pop().unwrap_or_default();
-    let for_show = format!("{} and {last}", for_show.join(", "));
+    let for_show = listed(for_show(about));
     format!("{trade}\n{for_show} are for show.\n\nRegimes:{regimes}")
 }
 
