@@ -9,6 +9,8 @@
 //! inside, points away, or runs along a face) is decided in [`Crossing`].
 
 #[cfg(feature = "stage")]
+pub mod figure;
+#[cfg(feature = "stage")]
 mod measure;
 pub mod notes;
 #[cfg(feature = "stage")]

@@ -53,7 +53,7 @@ impl Chapter for RayWall {
         let ray = Ray2::<R>::new(origin, direction);
 
         let mut transcript = Transcript::new(&self.about(), ask);
-        explain(&mut transcript, method, &ray);
+        explain(&mut transcript, method, &ray, &wall_of());
         every_case::<R>(&mut transcript, method);
         Ok(Shown { transcript, picture: picture::draw(canvas, method, &ray), ids: None })
     }
@@ -78,18 +78,18 @@ impl Chapter for RayWall {
 }
 
 /// The method's own steps, from its own struct.
-fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray2<R>) {
+pub(crate) fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray2<R>, wall: &Wall<R>) {
     let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
     let title = format!("ray-wall · {} · {} · {from} → {to}", method.name(), R::NAME);
-    let work = method.work(ray, &wall_of());
+    let work = method.work(ray, wall);
     let source = if method == Method::Notes { "House 4.2" } else { "House 4.2, robust.rs" };
     let section = transcript.section(title, source);
     section
         .vector::<R>("p_r", "origin", ray.origin)
         .vector::<R>("u_r", "direction", ray.direction)
         .note("as given: House's has length 1; t counts its lengths")
-        .number("front", "the near face of the wall, x = front", WALL.front)
-        .number("back", "the far face, x = back", WALL.back);
+        .number("front", "the near face of the wall, x = front", wall.front)
+        .number("back", "the far face, x = back", wall.back);
     match &work {
         Working::Notes(work) => notes_steps(section, work),
         Working::Robust(work) => robust_steps(section, work),
@@ -141,7 +141,7 @@ fn outcome<R: Real>(section: &mut Section, work: &Working<R>) {
     }
 }
 
-fn why<R: Real>(work: &Working<R>) -> &'static str {
+pub(crate) fn why<R: Real>(work: &Working<R>) -> &'static str {
     match work.crossing() {
         Crossing::Through(_) => "the wall is behind",
         Crossing::Along(math::Parallel::Apart) => "u_x = 0: parallel to the faces, meets neither",

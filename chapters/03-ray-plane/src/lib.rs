@@ -7,6 +7,8 @@
 //!
 //! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain.
 
+#[cfg(feature = "stage")]
+pub mod figure;
 pub mod glance;
 pub mod ground;
 #[cfg(feature = "stage")]

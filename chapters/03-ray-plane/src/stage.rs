@@ -44,7 +44,7 @@ impl Chapter for RayPlane {
             None => camera.ray((R::from(0.125), R::from(-0.25))),
         };
         let mut transcript = Transcript::new(&self.about(), ask);
-        explain(&mut transcript, method, &ray);
+        explain(&mut transcript, method, &ray, &ground());
         three_signs::<R>(&mut transcript);
         three_questions::<R>(&mut transcript, method);
         to_the_horizon::<R>(&mut transcript, method);
@@ -78,10 +78,9 @@ impl Chapter for RayPlane {
 }
 
 /// The method's own steps, from its own struct.
-fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>) {
+pub(crate) fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>, plane: &Plane<R>) {
     let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
     let title = format!("ray-plane · {} · {} · {from} → {to}", method.name(), R::NAME);
-    let plane = ground::<R>();
     let source = if method == Method::Notes { "House 4.3, Eq. 4.2" } else { "Eq. 4.2, robust.rs" };
     let section = transcript.section(title, source);
     section
@@ -90,12 +89,12 @@ fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>) 
         .vector::<R>("p_r", "origin", ray.origin)
         .vector::<R>("u_r", "direction", ray.direction)
         .note("as given: House's has length 1; t counts its lengths");
-    let work = method.work(ray, &plane);
+    let work = method.work(ray, plane);
     match &work {
         Working::Notes(work) => notes_steps(section, work),
         Working::Robust(work) => robust_steps(section, work),
     }
-    outcome(section, &work, &plane);
+    outcome(section, &work, plane);
 }
 
 fn notes_steps<R: Real>(section: &mut Section, work: &Notes<R>) {

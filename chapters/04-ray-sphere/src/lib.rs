@@ -14,6 +14,8 @@ pub mod batched;
 pub mod closest_approach;
 #[cfg(feature = "stage")]
 mod explain;
+#[cfg(feature = "stage")]
+pub mod figure;
 pub mod glance;
 pub mod half_quadratic;
 #[cfg(feature = "stage")]

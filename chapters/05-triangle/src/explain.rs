@@ -23,7 +23,12 @@ pub(crate) fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray:
 }
 
 /// The method's own steps, from its own struct.
-fn one_method<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>, triangle: &Triangle<R>) {
+pub(crate) fn one_method<R: Real>(
+    transcript: &mut Transcript,
+    method: Method,
+    ray: &Ray3<R>,
+    triangle: &Triangle<R>,
+) {
     let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
     let title = format!("triangle · {} · {} · {from} → {to}", method.name(), R::NAME);
     let source = if method == Method::Robust { "robust.rs" } else { "CSC418 11.3.1" };

@@ -18,6 +18,8 @@
 pub mod area;
 #[cfg(feature = "stage")]
 mod explain;
+#[cfg(feature = "stage")]
+pub mod figure;
 pub mod glance;
 pub mod half_planes;
 #[cfg(feature = "stage")]

@@ -15,6 +15,8 @@ pub mod exact_sign;
 mod exercise;
 #[cfg(feature = "stage")]
 mod explain;
+#[cfg(feature = "stage")]
+pub mod figure;
 mod found;
 pub mod matrix;
 #[cfg(feature = "stage")]

@@ -18,6 +18,8 @@ pub mod counts;
 #[cfg(feature = "stage")]
 mod explain;
 #[cfg(feature = "stage")]
+pub mod figure;
+#[cfg(feature = "stage")]
 pub mod from_file;
 #[cfg(feature = "stage")]
 mod inspect;

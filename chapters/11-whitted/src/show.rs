@@ -2,7 +2,7 @@
 
 mod angles;
 mod names;
-mod of_ray;
+pub(crate) mod of_ray;
 mod table;
 
 use bounds::Parts;

@@ -111,7 +111,7 @@ fn show(
     let Files { out, ids, inspect } = files;
     // What cannot be kept is not begun, and a wrong request leaves no folder behind.
     if out.is_some() || Path::new(OUT).exists() {
-        try_at(&picture_path(stage, out)?)?;
+        try_at(&picture_path(stage, out.as_ref())?)?;
     }
     if let Some(page) = inspect {
         try_at(page)?;

@@ -20,14 +20,25 @@ pub(crate) static UNFINISHED: UnfinishedFiles = UnfinishedFiles(Mutex::new(BTree
 pub fn clean_up_when_interrupted() {
     // Under nohup a hangup is to be survived, and the handler is not told which signal it was.
     if !hangup_is_ignored(&fs::read_to_string("/proc/self/status").unwrap_or_default()) {
-        let _ = ctrlc::set_handler(|| {
-            // Held to the end: nothing is begun after the others are removed, and nobody finds theirs
-            // missing.
-            let mut places = UNFINISHED.places();
-            remove_all(&mut places);
-            std::process::exit(INTERRUPTED);
-        });
+        when_interrupted(end);
     }
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn when_interrupted(end: fn()) {
+    let _ = ctrlc::set_handler(end);
+}
+
+/// A page in a browser is not interrupted.
+#[cfg(target_family = "wasm")]
+fn when_interrupted(_: fn()) {}
+
+/// Removes what is not finished, and ends the program.
+fn end() {
+    // Held to the end: nothing is begun after the others are removed, and nobody finds theirs missing.
+    let mut places = UNFINISHED.places();
+    remove_all(&mut places);
+    std::process::exit(INTERRUPTED);
 }
 
 /// Whether the status of a process, as Linux tells it, has SIGHUP, number 1, among the signals it ignores.

@@ -142,16 +142,26 @@ fn one_light<R: Real>(
         Fate::Seen(_) => (1.0, "nothing stands in between".to_string()),
     };
     section.step(&named("V"), "the light is seen", Value::number(v)).note(why);
-    if let Some(Phong { m, c_dot_m, diffuse, specular, .. }) = of_seen {
-        if material.diffuse > 0.0 {
-            section.step(&named("diffuse"), "r_d I C max(0, n⃗·s⃗)", rgb(*diffuse));
-        }
-        if material.specular > 0.0 {
-            section
-                .vector::<R>(&named("m⃗"), "2 (n⃗·s⃗) n⃗ − s⃗", *m)
-                .number(&named("c⃗·m⃗"), "cos of the highlight's angle", *c_dot_m)
-                .step(&named("specular"), "r_s I max(0, c⃗·m⃗)^α", rgb(*specular));
-        }
+    if let Some(phong) = of_seen {
+        terms(section, named, material, phong);
+    }
+}
+
+/// The terms of a light that is seen.
+pub(crate) fn terms<R: Real>(
+    section: &mut Section,
+    named: impl Fn(&str) -> String,
+    material: &Material,
+    Phong { m, c_dot_m, diffuse, specular, .. }: &Phong<R>,
+) {
+    if material.diffuse > 0.0 {
+        section.step(&named("diffuse"), "r_d I C max(0, n⃗·s⃗)", rgb(*diffuse));
+    }
+    if material.specular > 0.0 {
+        section
+            .vector::<R>(&named("m⃗"), "2 (n⃗·s⃗) n⃗ − s⃗", *m)
+            .number(&named("c⃗·m⃗"), "cos of the highlight's angle", *c_dot_m)
+            .step(&named("specular"), "r_s I max(0, c⃗·m⃗)^α", rgb(*specular));
     }
 }
 
@@ -196,7 +206,7 @@ fn sent_on<R: Real>(section: &mut Section, shot: &Shot<'_, R>, node: &Node<R>, l
 }
 
 /// How light goes through there.
-fn refracted<R: Real>(
+pub(crate) fn refracted<R: Real>(
     section: &mut Section,
     refraction: &Refraction<R>,
     through: Option<bool>,

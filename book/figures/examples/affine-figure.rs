@@ -1,0 +1,3 @@
+//! The figure of the page affine.
+
+figures::exports!(affine::figure::Squashed);

@@ -1,0 +1,3 @@
+//! The figure of the page ray-plane.
+
+figures::exports!(ray_plane::figure::RayAndPlane);

@@ -1,0 +1,3 @@
+//! The figure of the page ray-sphere.
+
+figures::exports!(ray_sphere::figure::RayAndSphere);

@@ -1,0 +1,3 @@
+//! The figure of the page triangle.
+
+figures::exports!(triangle::figure::RayAndTriangle);

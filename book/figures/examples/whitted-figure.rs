@@ -1,0 +1,3 @@
+//! The figure of the page whitted.
+
+figures::exports!(whitted::figure::RayAndSurface);

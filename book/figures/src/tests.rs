@@ -1,0 +1,108 @@
+use super::*;
+use affine::figure::Squashed;
+use ray_plane::figure::RayAndPlane;
+use ray_sphere::figure::RayAndSphere;
+use ray_wall::figure::RayAndWall;
+use triangle::figure::RayAndTriangle;
+use whitted::figure::RayAndSurface;
+
+/// Every method's steps and answers, and the drawing.
+fn all<F: Figure>(shown: &mut Shown<F>) -> String {
+    let mut text = String::new();
+    for method in 0..F::methods().len() {
+        shown.choose(method);
+        shown.values();
+        text += &shown.said;
+    }
+    shown.drawing();
+    text + &shown.said
+}
+
+/// Whatever is dragged wherever, onto each other and to the border too, is answered; what moves is seen.
+fn is_answered_wherever_it_is<F: Figure>() {
+    let mut shown = Shown::<F>::default();
+    let start = all(&mut shown);
+    assert!(!start.contains("NaN") && !start.contains("no answer"), "{start}");
+    let handles = shown.figure.handles().len();
+    for number in 0..handles {
+        shown.reset();
+        shown.nudge(number, 0.1, 0.2);
+        assert_ne!(all(&mut shown), start, "handle {number} moves nothing");
+        // onto each of the others: a direction, a normal, a radius of zero
+        for other in 0..handles {
+            shown.reset();
+            let (x, y) = shown.figure.handles()[other].place;
+            shown.figure.drag(number, (x, y));
+            assert!(!all(&mut shown).contains("NaN"), "{number} onto {other}: {}", all(&mut shown));
+        }
+        for (x, y) in [(0.0, 0.0), (480.0, 0.0), (480.0, 320.0), (0.0, 320.0), (-1e6, 1e6)] {
+            shown.drag(number, x, y);
+            assert!(all(&mut shown).contains("class=\"handle\""));
+        }
+    }
+    for dial in 0..shown.figure.dials().len() {
+        shown.reset();
+        shown.turn(dial, 2.0);
+        assert_ne!(all(&mut shown), start, "dial {dial} turns nothing");
+        shown.turn(dial, 1e9);
+        let Dial { value, most, .. } = shown.figure.dials()[dial].clone();
+        assert_eq!(value, most);
+    }
+    shown.reset();
+    assert_eq!(all(&mut shown), start);
+    shown.drag(99, 1.0, 1.0);
+    shown.choose(99);
+    assert_eq!(all(&mut shown), start, "what is not there is not moved");
+}
+
+#[test]
+fn a_wall_is_answered_wherever_it_is() {
+    is_answered_wherever_it_is::<RayAndWall>();
+}
+
+#[test]
+fn a_plane_is_answered_wherever_it_is() {
+    is_answered_wherever_it_is::<RayAndPlane>();
+}
+
+#[test]
+fn a_sphere_is_answered_wherever_it_is() {
+    is_answered_wherever_it_is::<RayAndSphere>();
+}
+
+#[test]
+fn a_triangle_is_answered_wherever_it_is() {
+    is_answered_wherever_it_is::<RayAndTriangle>();
+}
+
+#[test]
+fn a_squashed_sphere_is_answered_wherever_it_is() {
+    is_answered_wherever_it_is::<Squashed>();
+}
+
+#[test]
+fn a_surface_is_answered_wherever_it_is() {
+    is_answered_wherever_it_is::<RayAndSurface>();
+}
+
+/// By hand: House's ray meets the wall at t = 3 in (4, 1); without a direction there is no answer.
+#[test]
+fn what_is_said_is_the_methods_own() {
+    let mut shown = Shown::<RayAndWall>::default();
+    shown.values();
+    assert!(shown.said.contains("<td>t = 3 at (4, 1)</td><td>t = 3 at (4, 1)</td>"), "{}", shown.said);
+    assert!(shown.said.contains("<td>(front − p_x) / u_x</td><td>3</td><td>3</td>"), "{}", shown.said);
+    shown.nudge(1, -1.0, 0.0);
+    shown.values();
+    assert!(shown.said.contains("There is no answer: "), "{}", shown.said);
+}
+
+/// sin 41.8° / sin θ2 … by hand: from water into air beyond 48.75° nothing goes through.
+#[test]
+fn from_below_nothing_goes_through_beyond_the_critical_angle() {
+    let mut shown = Shown::<RayAndSurface>::default();
+    shown.figure.drag(0, (-2.0, -1.0));
+    shown.figure.drag(1, (-1.0, -0.5));
+    let text = all(&mut shown);
+    assert!(text.contains("total internal reflection") && text.contains("48.7535"), "{text}");
+}

@@ -1,0 +1,83 @@
+//! The values of a figure in two tables: the steps of a method, and the answers of all.
+
+use math::{Degenerate, Real};
+use stage::figure::Figure;
+use stage::{Section, escaped};
+
+/// The steps of a method, `f64` beside `f32`, and what each method answers: HTML.
+pub fn values<F: Figure>(figure: &F, method: usize) -> String {
+    let name = F::methods().get(method).copied().unwrap_or_default();
+    let mut text = format!("<h4>The steps of {name}</h4>");
+    match (figure.steps::<f64>(method), figure.steps::<f32>(method)) {
+        (Ok(in_f64), Ok(in_f32)) => text += &steps(&in_f64, &in_f32),
+        (Err(why), _) | (_, Err(why)) => text += &no_answer(why),
+    }
+    text + "<h4>What each method answers</h4>" + &answers(figure)
+}
+
+fn no_answer(why: Degenerate) -> String {
+    format!("<p>There is no answer: {}.</p>", escaped(&why.to_string()))
+}
+
+/// The rows of both precisions side by side. Where they part, each says its own: a digit more can be another
+/// verdict, and other steps follow.
+fn steps(in_f64: &Section, in_f32: &Section) -> String {
+    let mut rows = String::new();
+    let both = in_f64.steps.len().max(in_f32.steps.len());
+    let mut parted = false;
+    for place in 0..both {
+        let (wide, narrow) = (in_f64.steps.get(place), in_f32.steps.get(place));
+        let is_same =
+            matches!((wide, narrow), (Some(a), Some(b)) if a.symbol == b.symbol && a.formula == b.formula);
+        parted |= !is_same;
+        if is_same {
+            if let (Some(wide), Some(narrow)) = (wide, narrow) {
+                let note = if wide.note == narrow.note {
+                    wide.note.clone()
+                } else {
+                    format!("f64: {}; f32: {}", wide.note, narrow.note)
+                };
+                let values = [wide.value.to_text(), narrow.value.to_text()];
+                rows += &row([&wide.symbol, &wide.formula], [&values[0], &values[1]], &note);
+            }
+            continue;
+        }
+        if let Some(step) = wide {
+            rows += &row([&step.symbol, &step.formula], [&step.value.to_text(), ""], &step.note);
+        }
+        if let Some(step) = narrow {
+            rows += &row([&step.symbol, &step.formula], ["", &step.value.to_text()], &step.note);
+        }
+    }
+    let remark =
+        if parted { "<p>The two precisions decide otherwise, and go on by other steps.</p>" } else { "" };
+    let head = "<tr><th>symbol</th><th>formula</th><th>f64</th><th>f32</th><th>what it says</th></tr>";
+    format!(
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"steps\"><table><thead>{head}</thead><tbody>{rows}</tbody></table></div>{remark}"
+    )
+}
+
+fn row([symbol, formula]: [&str; 2], [wide, narrow]: [&str; 2], note: &str) -> String {
+    let differ =
+        if narrow.is_empty() || wide.is_empty() || narrow == wide { "" } else { " class=\"differ\"" };
+    let [symbol, formula, wide, narrow, note] = [symbol, formula, wide, narrow, note].map(escaped);
+    format!(
+        "<tr{differ}><th scope=\"row\">{symbol}</th><td>{formula}</td><td>{wide}</td><td>{narrow}</td><td>{note}</td></tr>"
+    )
+}
+
+fn answers<F: Figure>(figure: &F) -> String {
+    let mut rows = String::new();
+    for (method, name) in F::methods().into_iter().enumerate() {
+        let [wide, narrow] = [answer::<F, f64>(figure, method), answer::<F, f32>(figure, method)];
+        rows += &format!("<tr><th scope=\"row\">{name}</th><td>{wide}</td><td>{narrow}</td></tr>");
+    }
+    let head = "<tr><th>method</th><th>f64</th><th>f32</th></tr>";
+    format!(
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"answers\"><table><thead>{head}</thead><tbody>{rows}</tbody></table></div>"
+    )
+}
+
+fn answer<F: Figure, R: Real>(figure: &F, method: usize) -> String {
+    escaped(&figure.answer::<R>(method))
+}

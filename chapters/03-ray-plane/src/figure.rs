@@ -1,0 +1,106 @@
+//! The figure of the book: a ray and a plane to drag.
+
+use math::{Degenerate, Parallel, Ray3, Real, Span, Vector};
+use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, to_hundredths};
+use stage::{Ink, Section, Sketch};
+
+use crate::stage::explain;
+use crate::{Meeting, Method, Plane};
+
+/// A ray that comes down to the ground, for the start.
+pub struct RayAndPlane {
+    p_r: Place,
+    /// p_r + u_r
+    tip: Place,
+    p_0: Place,
+    /// p_0 + n
+    n_tip: Place,
+}
+
+impl Default for RayAndPlane {
+    fn default() -> RayAndPlane {
+        RayAndPlane { p_r: (-3.0, 1.0), tip: (-2.0, 0.75), p_0: (0.0, 0.0), n_tip: (0.0, 1.0) }
+    }
+}
+
+impl RayAndPlane {
+    fn ray<R: Real>(&self) -> Ray3<R> {
+        let [p, tip] = [self.p_r, self.tip].map(point::<R>);
+        Ray3::new(p, tip - p)
+    }
+
+    fn plane<R: Real>(&self) -> Plane<R> {
+        let [p_0, tip] = [self.p_0, self.n_tip].map(point::<R>);
+        Plane { point: p_0, normal: tip - p_0 }
+    }
+}
+
+/// A point of the plane z = 0.
+fn point<R: Real>((x, y): Place) -> R::Vec3 {
+    R::vec3(R::round_from(x), R::round_from(y), R::from(0.0))
+}
+
+impl Figure for RayAndPlane {
+    const CAPTION: &'static str = "A cut at z = 0, x to the right and y upward: the plane is seen from its edge. Drag \
+                                   the ray's start p_r, the end of its direction, the plane's point p_0 and the end \
+                                   of its normal.";
+    const FRAME: (Place, Place) = ((-4.5, -2.4), (4.5, 3.2));
+
+    fn methods() -> Vec<&'static str> {
+        Method::ALL.map(Method::name).to_vec()
+    }
+
+    fn handles(&self) -> Vec<Handle> {
+        let names = ["p_r", "p_r + u_r", "p_0", "p_0 + n"];
+        let places = [self.p_r, self.tip, self.p_0, self.n_tip];
+        names.into_iter().zip(places).map(|(name, place)| Handle { name, place }).collect()
+    }
+
+    fn drag(&mut self, handle: usize, to: Place) {
+        let (x, y) = to_hundredths(to);
+        let along = |from: Place, tip: Place| to_hundredths((x + tip.0 - from.0, y + tip.1 - from.1));
+        match handle {
+            0 => (self.p_r, self.tip) = ((x, y), along(self.p_r, self.tip)),
+            1 => self.tip = (x, y),
+            2 => (self.p_0, self.n_tip) = ((x, y), along(self.p_0, self.n_tip)),
+            3 => self.n_tip = (x, y),
+            _ => {}
+        }
+    }
+
+    fn draw(&self, sketch: &mut Sketch) {
+        let (n_x, n_y) = (self.n_tip.0 - self.p_0.0, self.n_tip.1 - self.p_0.1);
+        let along = |s: f64| (self.p_0.0 - s * n_y, self.p_0.1 + s * n_x);
+        sketch.line(along(-1e3), along(1e3), Ink::Surface);
+        sketch.arrow(self.p_0, self.n_tip, Ink::Normal, 1.0);
+        let ray = self.ray::<f64>();
+        let ahead = ray.at(1e3);
+        sketch.line(self.p_r, (ahead.x(), ahead.y()), Ink::Ray).arrow(self.p_r, self.tip, Ink::Normal, 1.0);
+        if let Ok(Some(hit)) = Method::Robust.work(&ray, &self.plane()).hit(Span::ahead()) {
+            sketch.dot((hit.point.x(), hit.point.y()), Ink::Ray);
+            sketch.label((hit.point.x(), hit.point.y()), (0.0, 18.0), Ink::Ray, "x");
+        }
+        for handle in self.handles() {
+            sketch.label(handle.place, (0.0, -16.0), Ink::Quiet, handle.name);
+        }
+    }
+
+    fn steps<R: Real>(&self, method: usize) -> Result<Section, Degenerate> {
+        let (ray, plane) = (self.ray::<R>(), self.plane::<R>());
+        plane.check(&ray)?;
+        Ok(first_steps::<R>(|transcript| explain(transcript, Method::ALL[method], &ray, &plane)))
+    }
+
+    fn answer<R: Real>(&self, method: usize) -> String {
+        let work = Method::ALL[method].work(&self.ray::<R>(), &self.plane());
+        let hit = work.hit(Span::ahead());
+        let why = match hit {
+            Ok(None) => match work.meeting() {
+                Meeting::Never(how) => Parallel::reason(how),
+                Meeting::At(_) => "behind",
+            },
+            _ => "",
+        };
+        hit_in_words(hit, why)
+    }
+}

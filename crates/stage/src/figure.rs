@@ -1,0 +1,102 @@
+//! An interactive figure: what a reader can change by hand, and what is said of it.
+
+use math::{Degenerate, Hit, Real, Vector};
+
+use crate::{Section, Sketch, Transcript, Value};
+
+/// A place of the plane that is drawn, y upward.
+pub type Place = (f64, f64);
+
+/// What can be dragged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Handle {
+    /// What it is, as the page calls it.
+    pub name: &'static str,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// What can be turned: a number between two others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dial {
+    /// What it is, as the page calls it.
+    pub name: &'static str,
+    /// The number, and the least and the largest there may be.
+    pub value: f64,
+    /// The least number there may be.
+    pub least: f64,
+    /// The largest.
+    pub most: f64,
+}
+
+/// A chapter's question with everything that can be changed about it. What a new one shows is where a reader
+/// starts.
+///
+/// A figure computes nothing of its own: it asks the chapter's methods, and shows the steps that `show` prints.
+pub trait Figure: Default {
+    /// What is drawn, in a sentence: which plane it is, and what to move.
+    const CAPTION: &'static str;
+    /// The lower left and the upper right corner of the part of the plane that is seen.
+    const FRAME: (Place, Place);
+
+    /// The chapter's methods by name.
+    fn methods() -> Vec<&'static str>;
+
+    /// What can be dragged.
+    fn handles(&self) -> Vec<Handle>;
+
+    /// Drags a handle, by its place in [`handles`](Figure::handles); one that there is not is let go.
+    fn drag(&mut self, handle: usize, to: Place);
+
+    /// What can be turned.
+    fn dials(&self) -> Vec<Dial> {
+        Vec::new()
+    }
+
+    /// Turns a dial, by its place in [`dials`](Figure::dials).
+    fn turn(&mut self, _dial: usize, _to: f64) {}
+
+    /// Draws what is there, but for the handles.
+    fn draw(&self, sketch: &mut Sketch);
+
+    /// The steps of a method, by its place in [`methods`](Figure::methods), in R.
+    ///
+    /// [`Degenerate`] for a question without an answer.
+    fn steps<R: Real>(&self, method: usize) -> Result<Section, Degenerate>;
+
+    /// The answer of a method, by its place in [`methods`](Figure::methods), in R, in a few words.
+    fn answer<R: Real>(&self, method: usize) -> String;
+}
+
+/// The steps that a chapter's `explain` writes: those of the first section.
+pub fn first_steps<R: Real>(explain: impl FnOnce(&mut Transcript)) -> Section {
+    let mut transcript =
+        Transcript { stage: "figure", method: "figure", precision: R::NAME, sections: Vec::new() };
+    explain(&mut transcript);
+    transcript.sections.into_iter().next().unwrap_or_else(|| Section::new("", ""))
+}
+
+/// A hit in words: t and the point, or why there is none.
+pub fn hit_in_words<R: Real, V: Vector<R>>(hit: Result<Option<Hit<R, V>>, Degenerate>, why: &str) -> String {
+    match hit {
+        Ok(Some(hit)) => format!("t = {} at {}", number(hit.t), Value::vector(hit.point).to_text()),
+        Ok(None) if why.is_empty() => "no hit".to_string(),
+        Ok(None) => format!("no hit: {why}"),
+        Err(degenerate) => format!("no answer: {degenerate}"),
+    }
+}
+
+fn number<R: Real>(x: R) -> String {
+    Value::number(x).to_text()
+}
+
+/// A number of a pointer, which is never exact, as one that a reader can write down: to hundredths.
+pub fn hundredths(x: f64) -> f64 {
+    // adding 0 makes minus zero zero
+    (x * 100.0).round() / 100.0 + 0.0
+}
+
+/// A place to hundredths.
+pub fn to_hundredths((x, y): Place) -> Place {
+    (hundredths(x), hundredths(y))
+}
