@@ -1,14 +1,17 @@
-//! The gallery: one page with every picture and every transcript. It opens from disk, and needs
-//! neither a network nor a script.
+//! The gallery: one page with every picture, every transcript and every trade, and the ways into the book and to the
+//! inspectors. It opens from disk, and needs neither a network nor a script.
 
 use std::io::{self, Write};
 
-use crate::run::Finished;
+use stage::Flag;
+
+use crate::drawings;
+use crate::run::{Finished, book_page, inspector_page, trade_drawing};
 
 /// How the page looks, at any width, in light and in dark.
 const STYLE: &str = include_str!("gallery.css");
 
-/// Writes the page. Its pictures are expected beside it, as `NAME.png`.
+/// Writes the page. Its pictures are expected beside it, as `NAME.png`, and its drawings as `trade/NAME.svg`.
 pub fn write(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
     let title = "First Hit: the stages";
     writeln!(
@@ -27,7 +30,7 @@ pub fn write(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
 <header>
 <h1>{title}</h1>
 <p>Ray tracing, one concept at a time. Every stage follows the worked example of the notes:
-its picture, and each intermediate value in the notes’ own symbols.
+its picture, each intermediate value in the notes’ own symbols, and what speed costs in accuracy.
 All of them again: <code>cargo run --release</code></p>
 </header>"#
     )?;
@@ -59,6 +62,7 @@ fn section(stage: &Finished, page: &mut dyn Write) -> io::Result<()> {
     let (teaches, notes, picture) = (escape(about.teaches), escape(about.notes), escape(about.picture));
     let (method, precision) = (escape(transcript.method), escape(transcript.precision));
     let transcript = escape(&transcript.to_string());
+    let (chapter, inspector, trade) = (chapter(stage), inspector(stage), trade(stage));
     // The caption says what the alternative text says, so a screen reader hears it once.
     writeln!(
         page,
@@ -69,7 +73,7 @@ fn section(stage: &Finished, page: &mut dyn Write) -> io::Result<()> {
 <div><dt>Notes</dt><dd>{notes}</dd></div>
 <div><dt>Method</dt><dd>{method}, {precision}</dd></div>
 <div><dt>Command</dt><dd><code>cargo run -p {name}</code></dd></div>
-</dl>
+{chapter}{inspector}</dl>
 <div class="work">
 <figure>
 <a href="{name}.png"><img src="{name}.png" width="{width}" height="{height}" alt="{picture}"></a>
@@ -77,7 +81,53 @@ fn section(stage: &Finished, page: &mut dyn Write) -> io::Result<()> {
 </figure>
 <pre tabindex="0" role="region" aria-label="Transcript of {name}">{transcript}</pre>
 </div>
-</section>"#
+{trade}</section>"#
+    )
+}
+
+/// The way to the book's chapter, or how to make the book.
+fn chapter(stage: &Finished) -> String {
+    let name = escape(stage.about.name);
+    let way = match stage.in_book {
+        true => {
+            format!(r#"<a href="{}">the derivation, the code, the questions</a>"#, escape(&book_page(&name)))
+        }
+        false => "<code>cargo run -p book</code> makes the book".to_string(),
+    };
+    format!("<div><dt>Book</dt><dd>{way}</dd></div>\n")
+}
+
+/// The way to the page of every pixel's ray, or how to make it; nothing for a stage that makes none.
+fn inspector(stage: &Finished) -> String {
+    if !stage.about.flags.contains(&Flag::Inspect) {
+        return String::new();
+    }
+    let (name, page) = (escape(stage.about.name), inspector_page(stage.about.name));
+    let place = escape(&stage.picture.with_file_name(&page).display().to_string());
+    let way = match stage.inspected {
+        true => format!(r#"<a href="{}">every pixel’s ray, step by step</a>"#, escape(&page)),
+        false => format!(
+            "<code>cargo run -p {name} -- --inspect {place}</code> lets you look at every pixel’s ray"
+        ),
+    };
+    format!("<div><dt>Inspector</dt><dd>{way}</dd></div>\n")
+}
+
+/// What `trade` drew, the upper part of it where it is long.
+fn trade(stage: &Finished) -> String {
+    let Some((width, height)) = drawings::trade_of(stage.about.name).and_then(drawings::size) else {
+        return String::new();
+    };
+    let (name, drawing) = (escape(stage.about.name), escape(&trade_drawing(stage.about.name)));
+    let measured = escape(stage.about.trade);
+    format!(
+        r#"<figure class="trade">
+<a href="{drawing}"><img src="{drawing}" width="{width}" height="{height}" loading="lazy"
+ alt="Speed for accuracy: the trade of {name}, the whole drawing"></a>
+<figcaption>Speed for accuracy, as measured for the book; the whole drawing is behind it. {measured}
+Your own machine: <code>cargo run --release -p {name} -- trade</code></figcaption>
+</figure>
+"#
     )
 }
 
@@ -110,7 +160,8 @@ mod tests {
         let about = stage.about();
         let shown = stage.show(&Ask::default()).unwrap();
         let picture = PathBuf::from(about.name).with_extension("png");
-        Finished { about, transcript: shown.transcript, picture, size: shown.picture.size() }
+        let (transcript, size) = (shown.transcript, shown.picture.size());
+        Finished { about, transcript, picture, size, in_book: false, inspected: false }
     }
 
     fn page(finished: &[Finished]) -> String {
@@ -130,19 +181,28 @@ mod tests {
         assert_eq!(escape("‖x_close − c‖"), "‖x_close − c‖");
     }
 
-    /// Every link leads to a place in the page or to a picture beside it, and nowhere else.
+    /// Every link leads to a place in the page or to what lies beside it, and nowhere else.
     #[test]
     fn every_link_resolves() {
-        let finished: Vec<Finished> = stages::ALL.iter().map(|stage| finished(*stage)).collect();
+        let mut finished: Vec<Finished> = stages::ALL.iter().map(|stage| finished(*stage)).collect();
+        let with_inspector = |it: &&mut Finished| it.about.flags.contains(&Flag::Inspect);
+        let inspected = finished.iter_mut().filter(with_inspector).map(|it| it.inspected = true).count();
+        finished[2].in_book = true;
         let page = page(&finished);
         let places = quoted(&page, " id=\"");
         let links: Vec<&str> =
             [" href=\"", " src=\""].iter().flat_map(|start| quoted(&page, start)).collect();
-        assert_eq!(links.len(), 3 * finished.len(), "contents, picture and its link");
+        let pages = inspected + 1;
+        assert_eq!(links.len(), 5 * finished.len() + pages, "contents, picture, drawing and their links");
         for link in links {
             let found = match link.strip_prefix('#') {
                 Some(place) => places.contains(&place),
-                None => finished.iter().any(|stage| stage.picture == Path::new(link)),
+                None => finished.iter().any(|Finished { about, picture, in_book, inspected, .. }| {
+                    picture == Path::new(link)
+                        || trade_drawing(about.name) == link
+                        || *in_book && book_page(about.name) == link
+                        || *inspected && inspector_page(about.name) == link
+                }),
             };
             assert!(found, "{link}");
         }
@@ -160,6 +220,16 @@ mod tests {
                 rest = rest.split_once(&escape(part)).unwrap_or_else(|| panic!("{part}")).1;
             }
         }
+    }
+
+    /// What is not there is not linked, but said how to make; a stage without an inspector says nothing of one.
+    #[test]
+    fn what_is_not_there_has_a_command() {
+        let [wall, sphere] = [stages::ALL[1], stages::ALL[3]].map(finished);
+        let [of_wall, of_sphere] = [page(&[wall]), page(&[sphere])];
+        assert!(of_wall.contains("<code>cargo run -p book</code>") && !of_wall.contains("Inspector"));
+        let command = "<code>cargo run -p ray-sphere -- --inspect ray-sphere-inspect.html</code>";
+        assert!(of_sphere.contains(command), "{of_sphere}");
     }
 
     /// Markup in any text that a stage gives stays text.

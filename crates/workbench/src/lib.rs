@@ -6,6 +6,7 @@
 //! write what they print to an output that they are given, so a test can read it.
 
 mod command;
+mod drawings;
 pub mod gallery;
 pub mod list;
 pub mod run;

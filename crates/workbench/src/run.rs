@@ -8,6 +8,7 @@ use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use stage::{About, Ask, Error, Stage, Transcript, write_picture, write_whole};
 
+use crate::drawings;
 use crate::gallery;
 use crate::stages::{self, widest};
 
@@ -24,18 +25,53 @@ pub struct Finished {
     pub picture: PathBuf,
     /// The picture's columns and rows.
     pub size: (u32, u32),
+    /// Whether the book's page of it is there, see [`book_page`].
+    pub in_book: bool,
+    /// Whether its page to look at rays is there, see [`inspector_page`].
+    pub inspected: bool,
 }
 
-/// Runs the stages, writes `NAME.png` for each and `index.html` into `folder`, and prints the
+/// Where the book has its chapter, from the folder of the pictures: where `cargo run -p book` puts it in `out`.
+pub fn book_page(name: &str) -> String {
+    format!("book/{name}.html")
+}
+
+/// Where the gallery looks for a page that `--inspect` wrote, from the folder of the pictures.
+pub fn inspector_page(name: &str) -> String {
+    format!("{name}-inspect.html")
+}
+
+/// Where the drawing of its full `trade` goes, from the folder of the pictures; what `trade` itself draws is not
+/// touched.
+pub fn trade_drawing(name: &str) -> String {
+    format!("trade/{name}.svg")
+}
+
+/// Runs the stages, writes `NAME.png` and `trade/NAME.svg` for each and `index.html` into `folder`, and prints the
 /// transcripts, the pictures and the gallery's place, in the order given.
 ///
 /// [`Error::Failed`] where a file cannot be written. The files come first: a reader who leaves after
 /// one line, as `head` does, still finds them all.
 pub fn run(stages: &[&dyn Stage], folder: &Path, output: &mut dyn Write) -> Result<(), Error> {
     let finished = show_all(stages, folder)?;
+    write_drawings(&finished, folder)?;
     let gallery = folder.join("index.html");
     write_whole(&gallery, |file| gallery::write(&finished, file))?;
     print(&finished, &gallery, output).map_err(Error::from_output)
+}
+
+/// Writes what `trade` drew of each stage.
+fn write_drawings(finished: &[Finished], folder: &Path) -> Result<(), Error> {
+    let place = folder.join("trade");
+    std::fs::create_dir_all(&place).map_err(|error| {
+        Error::Failed(format!("cannot make the folder {}: {error}; name another with --out", place.display()))
+    })?;
+    for Finished { about, .. } in finished {
+        if let Some(svg) = drawings::trade_of(about.name) {
+            write_whole(&folder.join(trade_drawing(about.name)), |file| file.write_all(svg.as_bytes()))?;
+        }
+    }
+    Ok(())
 }
 
 /// Shows the stages side by side; where several fail, the error is that of the first in the list.
@@ -84,7 +120,10 @@ fn show(stage: &dyn Stage, folder: &Path) -> Result<Finished, Error> {
     let shown = stage.show(&Ask::default())?;
     let picture = folder.join(about.name).with_extension("png");
     write_picture(&shown.picture, &picture)?;
-    Ok(Finished { about, transcript: shown.transcript, picture, size: shown.picture.size() })
+    let is_there = |page: String| folder.join(page).is_file();
+    let (in_book, inspected) = (is_there(book_page(about.name)), is_there(inspector_page(about.name)));
+    let (transcript, size) = (shown.transcript, shown.picture.size());
+    Ok(Finished { about, transcript, picture, size, in_book, inspected })
 }
 
 fn print(finished: &[Finished], gallery: &Path, output: &mut dyn Write) -> io::Result<()> {
@@ -135,7 +174,10 @@ mod tests {
             assert!(folder.join(file).is_file(), "{file}");
             assert!(line.ends_with(&folder.join(file).display().to_string()), "{line}");
         }
-        assert_eq!(fs::read_dir(&folder).unwrap().count(), files.len());
+        for name in stages::names() {
+            assert!(folder.join(trade_drawing(name)).is_file(), "{name}");
+        }
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), files.len() + 1, "and the drawings");
 
         let mut rest = output.as_str();
         for stage in stages::ALL {

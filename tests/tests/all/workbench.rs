@@ -36,5 +36,5 @@ fn a_run_of_some_stages_prints_and_writes_those() {
     let said = answer(&["run", "ray-sphere", "ray-plane", "--out", out]);
     let [plane, sphere] = ["03 ray-plane: ", "04 ray-sphere: "].map(|heading| said.find(heading).unwrap());
     assert!(plane < sphere && !said.contains("01 pinhole"), "in the order of the book:\n{said}");
-    assert_eq!(folder.names(), ["index.html", "ray-plane.png", "ray-sphere.png"]);
+    assert_eq!(folder.names(), ["index.html", "ray-plane.png", "ray-sphere.png", "trade"]);
 }
