@@ -1,4 +1,5 @@
-//! Every pixel's ray for the inspector: the steps of the method, and the section through the ray and a sphere's center.
+//! Every pixel's ray for the inspector: the steps of the method, and the section through the ray and a
+//! sphere's center.
 
 use math::{Camera, Ray3, Real, Span};
 use stage::{Ask, Color, Error, Ink, Inspect, Inspector, Look, Sketch, Transcript};
@@ -38,8 +39,8 @@ impl<R: Real> Inspect for Rays<'_, R> {
     }
 
     fn caption(&self) -> &'static str {
-        "The plane through the ray and the center of the sphere that it meets first, or passes nearest, in units of \
-         length: the ray goes to the right from p_r."
+        "The plane through the ray and the center of the sphere that it meets first, or passes nearest, in \
+         units of length: the ray goes to the right from p_r."
     }
 
     fn look(&self, pixel: (u32, u32)) -> Result<Look, Error> {

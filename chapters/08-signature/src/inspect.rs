@@ -17,7 +17,8 @@ struct Rays<'a, R: Real> {
 
 /// Hands the rays to `write`.
 ///
-/// [`Error::Request`] where the scene cannot be read or the pixel lies outside the picture; the error of `write`.
+/// [`Error::Request`] where the scene cannot be read or the pixel lies outside the picture; the error of
+/// `write`.
 pub(crate) fn inspect<R: Real>(ask: &Ask, write: Inspector<'_>) -> Result<(), Error> {
     let file = read(ask.scene.as_deref())?;
     let (size, first) = ask.to_inspect(file.camera.size.value, |size| worked(ask, size))?;
@@ -35,8 +36,9 @@ impl<R: Real> Inspect for Rays<'_, R> {
     }
 
     fn caption(&self) -> &'static str {
-        "The ray from the side, in the plane of the ray and the normal where it hits: λ along it, a mark where it hits \
-         each object, and at the first one the surface and its normal. A sphere is cut through its center."
+        "The ray from the side, in the plane of the ray and the normal where it hits: λ along it, a mark where \
+         it hits each object, and at the first one the surface and its normal. A sphere is cut through its \
+         center."
     }
 
     fn look(&self, pixel: (u32, u32)) -> Result<Look, Error> {
@@ -67,8 +69,8 @@ fn misses() -> String {
     sketch.into_svg()
 }
 
-/// The ray goes to the right, and half as far again as the first hit. Of the point ē + x u + y v the place is (x, y):
-/// u is the ray's direction, and v that of the normal across the ray; both of length 1.
+/// The ray goes to the right, and half as far again as the first hit. Of the point ē + x u + y v the place is
+/// (x, y): u is the ray's direction, and v that of the normal across the ray; both of length 1.
 fn section<R: Real>(method: Method, ray: &Ray3<R>, objects: &[Object<R>], first: First<R>) -> String {
     let object = &objects[first.object];
     let length: f64 = ray.direction.length().into();

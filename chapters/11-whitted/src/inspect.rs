@@ -26,7 +26,8 @@ struct Rays<'a, R: Real> {
 
 /// Hands the rays to `write`.
 ///
-/// [`Error::Request`] where the scene cannot be read or the pixel lies outside the picture; the error of `write`.
+/// [`Error::Request`] where the scene cannot be read or the pixel lies outside the picture; the error of
+/// `write`.
 pub(crate) fn inspect<R: Real>(ask: &Ask, write: Inspector<'_>) -> Result<(), Error> {
     let (method, file) = (Method::ALL[ask.method], read(ask.scene.as_deref())?);
     let own = ask.scene.is_none();
@@ -66,9 +67,9 @@ impl<R: Real> Inspect for Rays<'_, R> {
     }
 
     fn caption(&self) -> &'static str {
-        "The pixel's rays from above, along the camera's up axis: the eye is at the left and looks to the right. Each ray \
-         has its number; the less it weighs, the thinner it is. A ray to a light ends in a dot where something stands in \
-         its way."
+        "The pixel's rays from above, along the camera's up axis: the eye is at the left and looks to the \
+         right. The numbers are those of the table; the less a ray weighs, the thinner it is. A ray to a light \
+         ends in a dot where something stands in its way."
     }
 
     fn look(&self, pixel: (u32, u32)) -> Result<Look, Error> {

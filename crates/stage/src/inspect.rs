@@ -1,7 +1,7 @@
 //! The inspector: a page on which every pixel's ray can be looked at, step by step.
 //!
-//! All that the page shows is computed here: it holds the steps and the drawing of each pixel, packed, and its script
-//! unpacks those of the pixel under the pointer.
+//! All that the page shows is computed here: it holds the steps and the drawing of each pixel, packed, and
+//! its script unpacks those of the pixel under the pointer.
 
 mod packed;
 mod page;
@@ -50,9 +50,10 @@ pub struct Look {
 pub type Inspector<'a> = &'a mut dyn FnMut(&dyn Inspect) -> Result<(), Error>;
 
 impl Ask {
-    /// The size of the picture to inspect and the pixel to begin with: as asked; else those of a picture of `own` =
-    /// (columns, rows), of whose columns and rows every k-th is taken, with the smallest k that leaves at most 32768
-    /// pixels. `worked` is the pixel that is explained when none is asked for, by the picture's size.
+    /// The size of the picture to inspect and the pixel to begin with: as asked; else those of a picture of
+    /// `own` = (columns, rows), of whose columns and rows every k-th is taken, with the smallest k that
+    /// leaves at most 32768 pixels. `worked` is the pixel that is explained when none is asked for, by the
+    /// picture's size.
     ///
     /// [`Error::Request`] where the pixel that is asked for lies outside the picture.
     pub fn to_inspect(

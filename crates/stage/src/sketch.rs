@@ -56,19 +56,26 @@ impl Ink {
 
 /// A drawing of a part of a plane, in the making; what is drawn later lies on top.
 ///
-/// It is a fragment: the elements that stand within an `<svg viewBox="0 0 480 320">`, see [`SKETCH`]. Lines are cut
-/// off at the frame, and what has no place there, for it is too far away or no number, is left out.
+/// It is a fragment: the elements that stand within an `<svg viewBox="0 0 480 320">`, see [`SKETCH`]. Lines
+/// are cut off at the frame, and what has no place there, for it is too far away or no number, is left out.
 #[derive(Clone, Debug)]
 pub struct Sketch {
     view: View,
     text: String,
+    /// Where labels stand that others keep away from.
+    taken: Vec<Place>,
 }
 
 impl Sketch {
-    /// The part of the plane from the lower left corner `low` to the upper right `high`, as large as the frame allows.
+    /// The part of the plane from the lower left corner `low` to the upper right `high`, as large as the
+    /// frame allows.
     pub fn new(low: Place, high: Place) -> Sketch {
         let (right, bottom) = (SKETCH.0 as f32 - BORDER, SKETCH.1 as f32 - BORDER);
-        Sketch { view: View::new(low, high, (BORDER, BORDER), (right, bottom)), text: String::new() }
+        Sketch {
+            view: View::new(low, high, (BORDER, BORDER), (right, bottom)),
+            text: String::new(),
+            taken: Vec::new(),
+        }
     }
 
     /// A line.
@@ -146,6 +153,20 @@ impl Sketch {
             self.add(format_args!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{text}</text>"));
         }
         self
+    }
+
+    /// The same where no other of these labels is near; else nothing. Returns whether there is room.
+    pub fn label_where_free(&mut self, place: Place, aside: (f64, f64), ink: Ink, text: &str) -> bool {
+        let (x, y) = self.at(place);
+        let (x, y) = (x + aside.0, y + aside.1);
+        let half = |text: &str| 3.7 * text.chars().count() as f64;
+        let near = |other: &Place| (y - other.1).abs() < 13.0 && (x - other.0).abs() < 8.0 + half(text);
+        let is_free = !self.taken.iter().any(near);
+        if is_free {
+            self.taken.push((x, y));
+            self.label(place, aside, ink, text);
+        }
+        is_free
     }
 
     /// A text that begins at a place of the frame, in drawing units.
@@ -247,6 +268,16 @@ mod tests {
         sketch.line((0.0, 100.0), (1.0, 100.0), Ink::Ray).dot((100.0, 0.0), Ink::Ray);
         sketch.line((f64::NAN, 0.0), (1.0, f64::INFINITY), Ink::Ray).circle((0.0, f64::NAN), 1.0, Ink::Ray);
         assert_eq!(sketch.into_svg(), "<path class=\"ray\" d=\"M240 160L480 160\"/>");
+    }
+
+    #[test]
+    fn labels_keep_away_from_each_other() {
+        let mut sketch = Sketch::new((-5.0, -5.0), (5.0, 5.0));
+        let mut free = |aside| sketch.label_where_free((0.0, 0.0), aside, Ink::Quiet, "1");
+        assert_eq!(
+            [(0.0, 0.0), (5.0, 5.0), (0.0, 14.0), (14.0, 0.0)].map(&mut free),
+            [true, false, true, true]
+        );
     }
 
     #[test]

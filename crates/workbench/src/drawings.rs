@@ -8,7 +8,8 @@ macro_rules! drawn {
 }
 
 static ALL: [(&str, &str); 11] = drawn! {
-    "pinhole" "ray-wall" "ray-plane" "ray-sphere" "triangle" "quadric" "affine" "signature" "bounds" "shading" "whitted"
+    "pinhole" "ray-wall" "ray-plane" "ray-sphere" "triangle" "quadric" "affine" "signature" "bounds" "shading"
+    "whitted"
 };
 
 /// Speed beside accuracy of the stage of this name, as SVG; `None` where there is no such stage.

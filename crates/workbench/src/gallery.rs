@@ -1,5 +1,5 @@
-//! The gallery: one page with every picture, every transcript and every trade, and the ways into the book and to the
-//! inspectors. It opens from disk, and needs neither a network nor a script.
+//! The gallery: one page with every picture, every transcript and every trade, and the ways into the book and
+//! to the inspectors. It opens from disk, and needs neither a network nor a script.
 
 use std::io::{self, Write};
 
@@ -222,7 +222,8 @@ mod tests {
         }
     }
 
-    /// What is not there is not linked, but said how to make; a stage without an inspector says nothing of one.
+    /// What is not there is not linked, but said how to make; a stage without an inspector says nothing of
+    /// one.
     #[test]
     fn what_is_not_there_has_a_command() {
         let [wall, sphere] = [stages::ALL[1], stages::ALL[3]].map(finished);

@@ -31,7 +31,8 @@ pub struct Finished {
     pub inspected: bool,
 }
 
-/// Where the book has its chapter, from the folder of the pictures: where `cargo run -p book` puts it in `out`.
+/// Where the book has its chapter, from the folder of the pictures: where `cargo run -p book` puts it in
+/// `out`.
 pub fn book_page(name: &str) -> String {
     format!("book/{name}.html")
 }
@@ -41,14 +42,14 @@ pub fn inspector_page(name: &str) -> String {
     format!("{name}-inspect.html")
 }
 
-/// Where the drawing of its full `trade` goes, from the folder of the pictures; what `trade` itself draws is not
-/// touched.
+/// Where the drawing of its full `trade` goes, from the folder of the pictures; what `trade` itself draws is
+/// not touched.
 pub fn trade_drawing(name: &str) -> String {
     format!("trade/{name}.svg")
 }
 
-/// Runs the stages, writes `NAME.png` and `trade/NAME.svg` for each and `index.html` into `folder`, and prints the
-/// transcripts, the pictures and the gallery's place, in the order given.
+/// Runs the stages, writes `NAME.png` and `trade/NAME.svg` for each and `index.html` into `folder`, and
+/// prints the transcripts, the pictures and the gallery's place, in the order given.
 ///
 /// [`Error::Failed`] where a file cannot be written. The files come first: a reader who leaves after
 /// one line, as `head` does, still finds them all.

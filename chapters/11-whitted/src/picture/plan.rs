@@ -63,7 +63,10 @@ impl<R: Real> Above<'_, R> {
             }
         }
         for (name, below) in named {
-            sketch.label(below, (0.0, 9.0), Ink::Object, name);
+            // what is in something else is named below that
+            let _ = [9.0, 24.0]
+                .iter()
+                .any(|&down| sketch.label_where_free(below, (0.0, down), Ink::Object, name));
         }
         let kinds = [
             (Ink::Ray, "eye"),
@@ -84,13 +87,16 @@ impl<R: Real> Above<'_, R> {
         for &place in &places {
             self.shadow_rays(&mut sketch, &tree.nodes[place]);
         }
-        for &place in &places {
+        let drawn = places.iter().filter_map(|&place| {
             let node = &tree.nodes[place];
-            let Some((start, end)) = self.plan.seen.stretch(node) else { continue };
-            let ink = ink_of(node.sent.kind);
-            sketch.arrow(start, end, ink, node.weight);
-            let middle = ((start.0 + end.0) / 2.0, (start.1 + end.1) / 2.0);
-            sketch.label(middle, (0.0, -9.0), ink, &(place + 1).to_string());
+            let (start, end) = self.plan.seen.stretch(node)?;
+            sketch.arrow(start, end, ink_of(node.sent.kind), node.weight);
+            Some((place, node.sent.kind, ((start.0 + end.0) / 2.0, (start.1 + end.1) / 2.0)))
+        });
+        let middles: Vec<_> = drawn.collect();
+        // where there is no room for all numbers, the heaviest rays have theirs
+        for (place, kind, middle) in middles.into_iter().rev() {
+            sketch.label_where_free(middle, (0.0, -9.0), ink_of(kind), &(place + 1).to_string());
         }
         if let Some(eye) = tree.nodes.first() {
             sketch.dot(self.plan.seen.place(eye.sent.ray.origin), Ink::Ray);

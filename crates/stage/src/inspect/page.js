@@ -1,5 +1,5 @@
-// Shows the pixel that is pointed at. Nothing is computed here: each pixel's steps and drawing lie packed in the page,
-// a strip of pixels a script element, a pixel a line of JSON.
+// Shows the pixel that is pointed at. Nothing is computed here: each pixel's steps and drawing lie packed in
+// the page, a strip of pixels a script element, a pixel a line of JSON.
 "use strict";
 
 const frame = document.getElementById("frame");
@@ -65,7 +65,8 @@ function section([title, source, rows, columns, table, remarks]) {
     const step = ([symbol, formula, value, note]) => {
       const head = element("th", symbol);
       head.scope = "row";
-      return element("tr", [head, element("td", formula), element("td", value, "value"), element("td", note, "note")]);
+      const cells = [element("td", formula), element("td", value, "value"), element("td", note, "note")];
+      return element("tr", [head, ...cells]);
     };
     const names = ["symbol", "formula", "value", "what it means"];
     parts.push(wide(title, names, rows.map(step)));
@@ -84,7 +85,8 @@ function wide(title, names, rows) {
     head.scope = "col";
     return head;
   });
-  const box = element("div", element("table", [element("thead", element("tr", heads)), element("tbody", rows)]), "wide");
+  const parts = [element("thead", element("tr", heads)), element("tbody", rows)];
+  const box = element("div", element("table", parts), "wide");
   Object.assign(box, { tabIndex: 0, role: "region", ariaLabel: title });
   return box;
 }

@@ -13,17 +13,18 @@ use crate::pixels::reserved;
 use crate::sketch::escaped;
 use crate::{About, Error, Progress, SKETCH, Section, Step, Transcript, Value, write_whole};
 
-/// So many pixels of a row are packed together: few enough to be unpacked at once, many enough that what they have in
-/// common is worth little.
+/// So many pixels of a row are packed together: few enough to be unpacked at once, many enough that what they
+/// have in common is worth little.
 const STRIP: u32 = 64;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// Writes the page, ray by ray: of the rays no more than one is held at a time, of the picture three bytes a pixel.
+/// Writes the page, ray by ray: of the rays no more than one is held at a time, of the picture three bytes a
+/// pixel.
 ///
-/// [`Error::Failed`] where the file cannot be written, or a ray cannot be looked at; then the file is what it was
-/// before.
+/// [`Error::Failed`] where the file cannot be written, or a ray cannot be looked at; then the file is what it
+/// was before.
 pub(crate) fn write_page(
     path: &Path,
     about: &About,
@@ -137,15 +138,15 @@ fn body(
 <p><label for="pixel">Pixel, column,row</label>
 <input id="pixel" value="{col},{row}" autocomplete="off" spellcheck="false" aria-describedby="range">
 <span id="range">0,0 to {last_col},{last_row}</span></p>
-<p id="keys">Point at a pixel; a click or a tap holds it, another lets go. On the picture the arrow keys move by a
-pixel, with Shift by ten.</p>
+<p id="keys">Point at a pixel; a click holds it, another lets go; a tap shows it. On the picture the arrow
+keys move by a pixel, with Shift by ten.</p>
 </section>
 <section class="drawing" aria-label="Drawing">
 <svg id="drawing" viewBox="0 0 {} {}" role="img" aria-label="{caption}"><g>{ground}</g><g id="ray"></g></svg>
 <p>{caption}</p>
 </section>
-<section id="steps" aria-label="Steps" aria-live="polite"><noscript>The steps of a pixel are unpacked by a script, and
-scripts are off. <code>{name} show --pixel {col},{row} --size {width}x{height}</code> prints
+<section id="steps" aria-label="Steps" aria-live="polite"><noscript>The steps of a pixel are unpacked by a
+script, and scripts are off. <code>{name} show --pixel {col},{row} --size {width}x{height}</code> prints
 them.</noscript></section>
 </main>
 <script>
