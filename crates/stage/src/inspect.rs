@@ -49,6 +49,11 @@ pub struct Look {
 /// What a stage writes an [`Inspect`] with, see [`Chapter::inspect`](crate::Chapter::inspect).
 pub type Inspector<'a> = &'a mut dyn FnMut(&dyn Inspect) -> Result<(), Error>;
 
+/// Columns and rows.
+type Size = (u32, u32);
+/// Column and row.
+type Pixel = (u32, u32);
+
 impl Ask {
     /// The size of the picture to inspect and the pixel to begin with: as asked; else those of a picture of
     /// `own` = (columns, rows), of whose columns and rows every k-th is taken, with the smallest k that
@@ -56,11 +61,7 @@ impl Ask {
     /// picture's size.
     ///
     /// [`Error::Request`] where the pixel that is asked for lies outside the picture.
-    pub fn to_inspect(
-        &self,
-        own: (u32, u32),
-        worked: impl Fn((u32, u32)) -> (u32, u32),
-    ) -> Result<((u32, u32), (u32, u32)), Error> {
+    pub fn to_inspect(&self, own: Size, worked: impl Fn(Size) -> Pixel) -> Result<(Size, Pixel), Error> {
         let shown = self.size_or(own)?;
         let step = if self.size.is_some() { 1 } else { step(own) };
         let (col, row) = self.pixel.unwrap_or_else(|| worked(shown));

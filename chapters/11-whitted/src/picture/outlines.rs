@@ -43,7 +43,7 @@ impl From {
     }
 
     /// The places of the objects in the scene, the lowest first.
-    pub(super) fn from_below<R: Real>(&self, scene: &Scene<R>, parts: &Parts<'_, R>) -> Vec<usize> {
+    pub(super) fn lowest_first<R: Real>(&self, scene: &Scene<R>, parts: &Parts<'_, R>) -> Vec<usize> {
         let height = |object: usize| {
             let bounds = parts.object_bounds(object);
             let middle = bounds.map(|it| [0, 1, 2].map(|i| f64::from(it.low[i] + it.high[i])));
@@ -57,7 +57,7 @@ impl From {
     /// The objects, the lowest first, each in a pale tone of its color.
     pub(super) fn objects<R: Real>(&self, canvas: &mut Canvas, shot: &Shot<'_, R>) {
         let lit = &shot.scene.lit;
-        for object in self.from_below(shot.scene, shot.parts) {
+        for object in self.lowest_first(shot.scene, shot.parts) {
             let material = lit.painted[object].material;
             let pale = lit.materials[material].color * 0.3;
             let fill = Color::from_linear(pale.0.map(|channel| channel + 0.6));

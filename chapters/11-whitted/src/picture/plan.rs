@@ -44,7 +44,7 @@ impl<R: Real> Above<'_, R> {
     pub(crate) fn ground(&self) -> String {
         let (mut sketch, seen) = (self.plan.sketch(), &self.plan.seen);
         let mut named = Vec::new();
-        for object in seen.from_below(self.scene, self.parts) {
+        for object in seen.lowest_first(self.scene, self.parts) {
             let below = match seen.outline(self.scene, self.parts, object) {
                 Some(Outline::Circle(place, r)) => {
                     sketch.circle(place, r, Ink::Object);

@@ -120,6 +120,15 @@ fn a_page_needs_nothing_but_itself_and_keeps_text_text() {
 }
 
 #[test]
+fn a_page_is_the_same_every_time() {
+    let rays = Places { size: (70, 2), bad: None };
+    let [(folder, one), (other_folder, other)] = [page("one", &rays), page("other", &rays)];
+    assert_eq!(one.unwrap(), other.unwrap());
+    std::fs::remove_dir_all(folder).unwrap();
+    std::fs::remove_dir_all(other_folder).unwrap();
+}
+
+#[test]
 fn a_ray_that_fails_leaves_no_page_and_is_the_cause() {
     let (folder, page) = page("failed", &Places { size: (3, 3), bad: Some((1, 2)) });
     assert_eq!(page.unwrap_err().to_string(), "no thread");
