@@ -10,6 +10,7 @@ use mdbook_driver::book::{Book, BookItem};
 use mdbook_driver::errors::Result as Done;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
+use crate::figures::Figures;
 use crate::named::Sources;
 use crate::page::{Filler, place};
 use crate::shown::Shown;
@@ -86,7 +87,8 @@ impl Preprocessor for Fill {
                 return Ok(book);
             }
         };
-        let filler = Filler { root: &self.root, sources: &sources, shown: Shown::default() };
+        let figures = Figures::of(&self.root);
+        let filler = Filler { root: &self.root, sources: &sources, figures, shown: Shown::default() };
         book.for_each_mut(|item| {
             let BookItem::Chapter(chapter) = item else { return };
             let Some(path) = &chapter.source_path else { return };

@@ -6,6 +6,7 @@
 //! {{code chapters/04-ray-sphere/src/closest_approach.rs along}}      items of a source file
 //! {{show ray-sphere --pixel 170,300 | Both roots}}                   a command, and what it prints, or a section of it
 //! {{picture ray-sphere}}                                             the picture of a stage, drawn
+//! {{figure ray-sphere}}                                              the interactive figure of a chapter
 //! {{trade ray-sphere grazing | method t_ulp_max}}                   rows and columns of what `trade` measured
 //! {{exercises ray-sphere}}                                           the exercises of a chapter
 //! ```
@@ -20,6 +21,7 @@ mod build;
 mod code;
 mod exercises;
 mod fault;
+mod figures;
 mod links;
 mod math;
 mod named;

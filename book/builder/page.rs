@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::figures::Figures;
 use crate::named::Sources;
 use crate::shown::Shown;
 use crate::{Fault, code, exercises, math, pictures, shown, trade};
@@ -21,6 +22,8 @@ pub(crate) struct Filler<'a> {
     pub root: &'a Path,
     /// The crates' sources, to look names up in.
     pub sources: &'a Sources,
+    /// The interactive figures.
+    pub figures: Figures,
     /// What stages printed so far.
     pub shown: Shown,
 }
@@ -81,6 +84,10 @@ impl Filler<'_> {
                 drawn.push(name.to_string());
                 pictures::markdown(name)
             }
+            ["figure", name] => {
+                drawn.push(name.to_string());
+                self.figures.markdown(name)
+            }
             ["trade", stage, regime, best @ ..] if best.is_empty() || best == ["pareto"] => {
                 let columns: Vec<&str> = titles.iter().flat_map(|names| names.split_whitespace()).collect();
                 trade::markdown(self.root, stage, regime, &columns, !best.is_empty())
@@ -88,7 +95,7 @@ impl Filler<'_> {
             ["exercises", chapter] => exercises::markdown(self.root, chapter),
             _ => Err(format!(
                 "nothing is known of {{{{{line}}}}}; there are {{{{code FILE NAME…}}}}, {{{{show STAGE [FLAGS]… [| TITLE]…}}}}, \
-                 {{{{picture STAGE}}}}, {{{{trade STAGE REGIME [pareto] | COLUMN…}}}} and {{{{exercises STAGE}}}}"
+                 {{{{picture STAGE}}}}, {{{{figure STAGE}}}}, {{{{trade STAGE REGIME [pareto] | COLUMN…}}}} and {{{{exercises STAGE}}}}"
             )),
         }
     }
@@ -140,7 +147,8 @@ mod tests {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         let sources = Sources::read(root).unwrap();
         let filled =
-            Filler { root, sources: &sources, shown: Shown::default() }.page(Path::new("a.md"), text);
+            Filler { root, sources: &sources, figures: Figures::none(root), shown: Shown::default() }
+                .page(Path::new("a.md"), text);
         filled.map_err(|faults| faults.iter().map(ToString::to_string).collect())
     }
 

@@ -77,3 +77,5 @@ fn step((width, height): (u32, u32)) -> u32 {
 
 #[cfg(test)]
 mod tests;
+
+pub use packed::Packed;

@@ -47,7 +47,7 @@ pub use command::{asked, finish, main, main_from, refuse, report};
 pub use error::Error;
 pub use flags::{Flag, command as command_line};
 pub use ids::Ids;
-pub use inspect::{Inspect, Inspector, Look};
+pub use inspect::{Inspect, Inspector, Look, Packed};
 pub use interrupt::{Scratch, clean_up_when_interrupted};
 pub use pixels::each_pixel;
 pub use progress::Progress;

@@ -9,15 +9,18 @@ use flate2::write::ZlibEncoder;
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Packs what is written to it, and hands it on as it comes: nothing is kept but some kilobytes.
-pub(super) struct Packed<W: Write>(ZlibEncoder<Base64<W>>);
+pub struct Packed<W: Write>(ZlibEncoder<Base64<W>>);
 
 impl<W: Write> Packed<W> {
-    pub(super) fn new(page: W) -> Packed<W> {
+    /// Hands what it packs to `page`.
+    pub fn new(page: W) -> Packed<W> {
         Packed(ZlibEncoder::new(Base64::new(page), Compression::default()))
     }
 
     /// Writes what is left. Without it the end is missing.
-    pub(super) fn finish(self) -> io::Result<()> {
+    ///
+    /// The error of `page`, as of every write.
+    pub fn finish(self) -> io::Result<()> {
         self.0.finish()?.finish()
     }
 }
