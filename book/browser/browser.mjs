@@ -8,9 +8,9 @@ import { chromium } from "playwright-core";
 
 export const book = process.env.BOOK;
 
-// Every page of the book that a reader can come to: not what mdBook makes for its own frames.
+// Every page of the book that a reader can come to: not what mdBook makes for its own frames and for servers.
 export const chapters = readdirSync(book, { recursive: true })
-    .filter(file => file.endsWith(".html") && file !== "toc.html")
+    .filter(file => file.endsWith(".html") && !["404.html", "toc.html"].includes(file))
     .map(file => join(book, file))
     .sort();
 

@@ -58,11 +58,9 @@ fn steps(in_f64: &Section, in_f32: &Section) -> String {
 }
 
 fn row([symbol, formula]: [&str; 2], [wide, narrow]: [&str; 2], note: &str) -> String {
-    let differ =
-        if narrow.is_empty() || wide.is_empty() || narrow == wide { "" } else { " class=\"differ\"" };
     let [symbol, formula, wide, narrow, note] = [symbol, formula, wide, narrow, note].map(escaped);
     format!(
-        "<tr{differ}><th scope=\"row\">{symbol}</th><td>{formula}</td><td>{wide}</td><td>{narrow}</td><td>{note}</td></tr>"
+        "<tr><th scope=\"row\">{symbol}</th><td>{formula}</td><td>{wide}</td><td>{narrow}</td><td>{note}</td></tr>"
     )
 }
 

@@ -99,7 +99,7 @@ impl Figure for RayAndSphere {
     fn steps<R: Real>(&self, method: usize) -> Result<Section, Degenerate> {
         let (ray, sphere) = (self.ray::<R>(), self.sphere::<R>());
         sphere.check(&ray)?;
-        let painted = Painted { name: "red", sphere, color: [255, 0, 0] };
+        let painted = Painted { name: "dragged", sphere, color: [255, 0, 0] };
         Ok(first_steps::<R>(|transcript| explain(transcript, Method::ALL[method], &ray, &painted)))
     }
 
