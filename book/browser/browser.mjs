@@ -34,7 +34,7 @@ export async function open(file, { width = 1200, height = 900, scheme = "light" 
     const page = await context.newPage();
     const faults = [];
     page.on("console", message => {
-        if (message.type() === "error" || message.type() === "warning") faults.push(message.text());
+        if (message.type() === "error") faults.push(message.text());
     });
     page.on("pageerror", error => faults.push(String(error)));
     page.on("requestfailed", request => faults.push(`not there: ${request.url()}`));

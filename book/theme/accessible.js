@@ -1,10 +1,16 @@
-// What mdBook's own page leaves out, for those who listen to it: the switch of the table of contents says that it is
-// one, the field of the search what it is for, and a table or a block of code that is wider than the window can be
+// What mdBook's own page leaves out, for those who listen to it or have no pointer: the switch of the table of
+// contents says that it is one, the field of the search what it is for, and what is wider than its place can be
 // reached and scrolled by the keyboard.
 window.addEventListener("DOMContentLoaded", () => {
     document.getElementById("mdbook-sidebar-toggle")?.setAttribute("role", "button");
     document.getElementById("mdbook-searchbar")?.setAttribute("aria-label", "Search this book");
-    for (const box of document.querySelectorAll(".table-wrapper, main pre > code, .katex-display")) {
-        if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
-    }
+    const reach = () => {
+        for (const box of document.querySelectorAll(".table-wrapper, main pre > code, .katex-display")) {
+            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+        }
+    };
+    reach();
+    // once the letters of mathematics are there, and whenever the window changes
+    for (const event of ["load", "resize"]) window.addEventListener(event, reach);
+    document.fonts.ready.then(reach);
 });
