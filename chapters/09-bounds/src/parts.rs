@@ -189,3 +189,45 @@ fn length(v: [f64; 3]) -> f64 {
     let [x, y, z] = v.map(|x| x / largest);
     largest * (x * x + y * y + z * z).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use affine::{Affine, Deformed, Matrix3, Object};
+
+    /// By hand, with 3-4-5, around (10, 20, 30): ‖(3, 4, 0)‖ = 5 of the sphere, 5 + 2 of the cylinder; of the cone
+    /// half of it at the base, or the apex. The box is rounded outward, by no more than two of its digits.
+    #[test]
+    fn a_deformed_solid_has_the_box_of_its_rows() {
+        let rows = [[3.0, 4.0, 2.0], [0.0, 2.0, 0.0], [0.0, 0.0, 4.0]];
+        let triangle = [[-3.0, 4.0, 2.0], [0.0, 2.0, 0.0], [0.0, -1.0, 4.0]];
+        let of_sphere = 29.0_f64.sqrt();
+        for (object, rows, below, above) in [
+            (Object::Sphere, rows, [of_sphere, 2.0, 4.0], [of_sphere, 2.0, 4.0]),
+            (Object::Cylinder, rows, [7.0, 2.0, 4.0], [7.0, 2.0, 4.0]),
+            (Object::Cone, rows, [2.5, 1.0, 0.0], [2.5, 1.0, 4.0]),
+            (Object::Triangle, triangle, [3.0, 0.0, 1.0], [4.0, 2.0, 0.0]),
+        ] {
+            let t = [10.0, 20.0, 30.0];
+            let affine = Affine { a: Matrix3::from_rows(rows), t: t.into() };
+            let around = deformed_box::<f64>(&Deformed::new(object, affine).unwrap()).unwrap();
+            for axis in 0..3 {
+                let (low, high) = (t[axis] - below[axis], t[axis] + above[axis]);
+                // a box has single precision, rounded outward
+                let most = 2.0 * f64::from(f32::EPSILON) * (t[axis] + below[axis] + above[axis]);
+                let [under, over] = [low - f64::from(around.low[axis]), f64::from(around.high[axis]) - high];
+                assert!((0.0..=most).contains(&under), "{} {axis}: {under}", object.name());
+                assert!((0.0..=most).contains(&over), "{} {axis}: {over}", object.name());
+            }
+        }
+    }
+
+    #[test]
+    fn a_length_does_not_overflow_or_vanish() {
+        for scale in [1e-300, 1.0, 1e300] {
+            let off = length([2.0 * scale, -3.0 * scale, 6.0 * scale]) / scale - 7.0;
+            assert!(off.abs() <= 14.0 * f64::EPSILON, "{scale}: {off}");
+        }
+        assert_eq!(length([0.0; 3]), 0.0);
+    }
+}

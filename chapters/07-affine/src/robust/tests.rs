@@ -3,7 +3,7 @@
 use glam::DVec3;
 use math::{Certainty, Ray3, Span};
 
-use super::robust;
+use super::{Verdict, robust};
 use crate::{Affine, Deformed, Matrix3, Object};
 
 fn deformed(object: Object, rows: [[f64; 3]; 3], t: [f64; 3]) -> Deformed<f64> {
@@ -31,6 +31,58 @@ fn closed_forms() {
     assert_eq!(hit(Object::Plane, [-9.0, 5.0, 1.0, -1.0]), Some((2.0, at(-7.0, 0.0, 3.0), z)));
     assert_eq!(hit(Object::Triangle, [3.0, 5.0, 0.0, -1.0]), Some((2.0, at(3.0, 0.0, 3.0), z)), "its corner");
     assert_eq!(hit(Object::Triangle, [3.0_f64.next_up(), 5.0, 0.0, -1.0]), None);
+}
+
+/// By hand, with 3-4-5: where rays that go along no axis meet what was made larger in all directions, in the object's own
+/// space. p is a few roundings from the quotient, each below half a unit of the last digit of 1.
+#[test]
+fn slanted_rays_meet_the_unit_object() {
+    for (object, size, from, along, place) in [
+        (Object::Cylinder, 5.0, [-12.0, 1.0, -1.0], [4.0, 1.0, 1.0], [-4.0, 3.0, 1.0]),
+        (Object::Cylinder, 5.0, [1.0, 2.0, 9.0], [1.0, -1.0, -2.0], [3.0, 0.0, 5.0]),
+        (Object::Cone, 4.0, [-1.0, 1.0, -4.0], [1.0, -0.5, 2.0], [1.0, 0.0, 0.0]),
+        (Object::Cone, 20.0, [9.0, 12.0, 8.0], [-3.0, -4.0, 1.0], [3.0, 4.0, 10.0]),
+        (Object::Sphere, 3.0, [-3.0, 4.0, 3.0], [1.0, -1.0, -2.0], [-1.0, 2.0, -1.0]),
+        (Object::Plane, 2.0, [1.0, -2.0, 6.0], [0.5, 2.0, -3.0], [2.0, 2.0, 0.0]),
+        (Object::Triangle, 8.0, [1.0, 0.0, 6.0], [0.5, 1.0, -3.0], [2.0, 2.0, 0.0]),
+    ] {
+        let larger = [[size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]];
+        let deformed = deformed(object, larger, [0.0; 3]);
+        let ray = Ray3::<f64>::new(from.into(), along.into());
+        let found = robust(&ray, &deformed).found(Span::ahead()).unwrap().unwrap();
+        if object != Object::Sphere {
+            assert_eq!(found.lambda, 2.0, "{} from {from:?}", object.name());
+            let off = found.p - DVec3::from(place) / size;
+            assert!(off.abs().max_element() <= 4.0 * f64::EPSILON, "{}: {}", object.name(), found.p);
+        } else {
+            let off = (found.p.length() - 1.0).abs();
+            assert!(off <= 4.0 * f64::EPSILON, "{}", found.p);
+        }
+    }
+}
+
+/// Level with a plane, or away from it: the signs alone say that nothing is met.
+#[test]
+fn level_with_a_plane_or_away_from_it_nothing_is_met() {
+    for object in [Object::Plane, Object::Triangle] {
+        let flat = deformed(object, IDENTITY, [0.0; 3]);
+        for (height, slope) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 0.0), (1.0, 1.0), (-1.0, -1.0)] {
+            let ray = Ray3::<f64>::new(DVec3::new(0.25, 0.25, height), DVec3::new(1.0, 0.0, slope));
+            assert_eq!(robust(&ray, &flat).verdict, Verdict::Misses, "{height} {slope}");
+        }
+    }
+}
+
+/// The coordinates of a point are numbers though their sum is not: 2¹⁰²³ (1, 1, ½) on a sphere of radius 1.5 · 2¹⁰²³.
+#[test]
+fn a_point_at_the_end_of_the_range_is_a_number() {
+    let (end, radius) = (2.0_f64.powi(1023), 1.5 * 2.0_f64.powi(1023));
+    let sphere =
+        deformed(Object::Sphere, [[radius, 0.0, 0.0], [0.0, radius, 0.0], [0.0, 0.0, radius]], [0.0; 3]);
+    let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::new(2.0, 2.0, 1.0));
+    let point = robust(&ray, &sphere).hit(Span::ahead()).unwrap().unwrap().point;
+    let off = point / end - DVec3::new(1.0, 1.0, 0.5);
+    assert!(off.abs().max_element() <= 4.0 * f64::EPSILON, "{point}");
 }
 
 /// A ray that starts on the surface and looks farther finds where it leaves.
