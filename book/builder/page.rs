@@ -33,6 +33,8 @@ impl Filler<'_> {
     pub(crate) fn page(&self, file: &Path, text: &str) -> Result<Page, Vec<Fault>> {
         let (mut page, mut faults) = (Page::default(), Vec::new());
         let mut fence: Option<&str> = None;
+        // how many bars the rows of the table have that is being read
+        let mut bars: Option<usize> = None;
         for (number, line) in text.lines().enumerate() {
             let wrong = |what: String| Fault::new(file, number + 1, what);
             if let Some(language) = line.trim_start().strip_prefix("```") {
@@ -55,6 +57,15 @@ impl Filler<'_> {
                     Err(what) => faults.push(wrong(what)),
                 }
             } else {
+                let found = bars_of(line);
+                if let (Some(found), Some(bars)) = (found, bars)
+                    && found != bars
+                {
+                    faults.push(wrong(format!(
+                        "a row with {found} bars in a table of {bars}; a bar within a cell is \\|"
+                    )));
+                }
+                bars = found.map(|found| bars.unwrap_or(found));
                 if line.starts_with('|') && line.contains("::") {
                     let cell = line.trim_end_matches([' ', '|']).rsplit('|').next().unwrap_or_default();
                     faults.extend(self.sources.faults(cell).into_iter().map(wrong));
@@ -99,6 +110,11 @@ impl Filler<'_> {
             )),
         }
     }
+}
+
+/// How many bars a row of a table has between its cells and around them; `None` where a line is no row.
+fn bars_of(line: &str) -> Option<usize> {
+    line.starts_with('|').then(|| line.replace("\\|", "").matches('|').count())
 }
 
 /// What is wrong with a block of code in this language: code of ours is fetched, not typed.
@@ -168,7 +184,7 @@ mod tests {
     fn every_fault_has_its_line() {
         let text = "{{code crates/math/src/span.rs Spam}}\n{{shoe ray-wall}}\n```rust\nlet x = 1;\n```\n\
                     ```sh\ncargo run -p ray-wall -- --metod x\ncargo run -p ray-ball\ncargo run -- lost\n```\n\
-                    | 1 | `ray-wall`, `notes::tests::no_such_test` |\n";
+                    | 1 | `ray-wall`, `notes::tests::no_such_test` |\n| |z| | 2 |\n";
         let faults = fill(text).unwrap_err();
         let starts =
             ["a.md:1: ", "a.md:2: nothing is known of {{shoe ray-wall}}", "a.md:3: Rust that nobody runs"];
@@ -177,6 +193,7 @@ mod tests {
             "a.md:8: there is no stage ray-ball",
             "a.md:9: ",
             "a.md:11: `notes::tests::no_such_test`",
+            "a.md:12: a row with 5 bars in a table of 3",
         ];
         let all: Vec<&str> = starts.into_iter().chain(more).collect();
         assert_eq!(faults.len(), all.len(), "{faults:#?}");

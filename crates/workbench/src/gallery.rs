@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use stage::Flag;
+use stage::{Flag, escaped};
 
 use crate::drawings;
 use crate::run::{Finished, book_page, inspector_page, trade_drawing};
@@ -46,7 +46,7 @@ All of them again: <code>cargo run --release</code></p>
 fn contents(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
     writeln!(page, "<nav aria-label=\"Stages\">\n<ol>")?;
     for Finished { about, .. } in finished {
-        let (number, name, teaches) = (about.number, escape(about.name), escape(about.teaches));
+        let (number, name, teaches) = (about.number, escaped(about.name), escaped(about.teaches));
         writeln!(
             page,
             r##"<li><a href="#{name}"><span class="number">{number:02}</span> {name}</a> <span>{teaches}</span></li>"##
@@ -58,10 +58,10 @@ fn contents(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
 /// One stage: what it teaches, its picture, its transcript.
 fn section(stage: &Finished, page: &mut dyn Write) -> io::Result<()> {
     let Finished { about, transcript, size: (width, height), .. } = stage;
-    let (number, name) = (about.number, escape(about.name));
-    let (teaches, notes, picture) = (escape(about.teaches), escape(about.notes), escape(about.picture));
-    let (method, precision) = (escape(transcript.method), escape(transcript.precision));
-    let transcript = escape(&transcript.to_string());
+    let (number, name) = (about.number, escaped(about.name));
+    let (teaches, notes, picture) = (escaped(about.teaches), escaped(about.notes), escaped(about.picture));
+    let (method, precision) = (escaped(transcript.method), escaped(transcript.precision));
+    let transcript = escaped(&transcript.to_string());
     let (chapter, inspector, trade) = (chapter(stage), inspector(stage), trade(stage));
     // The caption says what the alternative text says, so a screen reader hears it once.
     writeln!(
@@ -87,10 +87,10 @@ fn section(stage: &Finished, page: &mut dyn Write) -> io::Result<()> {
 
 /// The way to the book's chapter, or how to make the book.
 fn chapter(stage: &Finished) -> String {
-    let name = escape(stage.about.name);
+    let name = escaped(stage.about.name);
     let way = match stage.in_book {
         true => {
-            format!(r#"<a href="{}">the derivation, the code, the questions</a>"#, escape(&book_page(&name)))
+            format!(r#"<a href="{}">the derivation, the code, the questions</a>"#, escaped(&book_page(&name)))
         }
         false => "<code>cargo run -p book</code> makes the book".to_string(),
     };
@@ -102,10 +102,10 @@ fn inspector(stage: &Finished) -> String {
     if !stage.about.flags.contains(&Flag::Inspect) {
         return String::new();
     }
-    let (name, page) = (escape(stage.about.name), inspector_page(stage.about.name));
-    let place = escape(&stage.picture.with_file_name(&page).display().to_string());
+    let (name, page) = (escaped(stage.about.name), inspector_page(stage.about.name));
+    let place = escaped(&stage.picture.with_file_name(&page).display().to_string());
     let way = match stage.inspected {
-        true => format!(r#"<a href="{}">every pixel’s ray, step by step</a>"#, escape(&page)),
+        true => format!(r#"<a href="{}">every pixel’s ray, step by step</a>"#, escaped(&page)),
         false => format!(
             "<code>cargo run -p {name} -- --inspect {place}</code> lets you look at every pixel’s ray"
         ),
@@ -118,8 +118,8 @@ fn trade(stage: &Finished) -> String {
     let Some((width, height)) = drawings::trade_of(stage.about.name).and_then(drawings::size) else {
         return String::new();
     };
-    let (name, drawing) = (escape(stage.about.name), escape(&trade_drawing(stage.about.name)));
-    let measured = escape(stage.about.trade);
+    let (name, drawing) = (escaped(stage.about.name), escaped(&trade_drawing(stage.about.name)));
+    let measured = escaped(stage.about.trade);
     format!(
         r#"<figure class="trade">
 <a href="{drawing}"><img src="{drawing}" width="{width}" height="{height}" loading="lazy"
@@ -129,22 +129,6 @@ Your own machine: <code>cargo run --release -p {name} -- trade</code></figcaptio
 </figure>
 "#
     )
-}
-
-/// A text as HTML, between tags or inside a quoted attribute.
-fn escape(text: &str) -> String {
-    let mut html = String::with_capacity(text.len());
-    for sign in text.chars() {
-        match sign {
-            '&' => html.push_str("&amp;"),
-            '<' => html.push_str("&lt;"),
-            '>' => html.push_str("&gt;"),
-            '"' => html.push_str("&quot;"),
-            '\'' => html.push_str("&#39;"),
-            other => html.push(other),
-        }
-    }
-    html
 }
 
 #[cfg(test)]
@@ -177,8 +161,8 @@ mod tests {
 
     #[test]
     fn escaped_text_has_no_markup_left() {
-        assert_eq!(escape(r#"d < r & 'a' > "b""#), "d &lt; r &amp; &#39;a&#39; &gt; &quot;b&quot;");
-        assert_eq!(escape("‖x_close − c‖"), "‖x_close − c‖");
+        assert_eq!(escaped(r#"d < r & 'a' > "b""#), "d &lt; r &amp; &#39;a&#39; &gt; &quot;b&quot;");
+        assert_eq!(escaped("‖x_close − c‖"), "‖x_close − c‖");
     }
 
     /// Every link leads to a place in the page or to what lies beside it, and nowhere else.
@@ -217,7 +201,7 @@ mod tests {
         let mut rest = page.split_once("<main>").unwrap().1;
         for Finished { about, transcript, .. } in &finished {
             for part in [about.name, about.teaches, about.notes, about.picture, &transcript.to_string()] {
-                rest = rest.split_once(&escape(part)).unwrap_or_else(|| panic!("{part}")).1;
+                rest = rest.split_once(&escaped(part)).unwrap_or_else(|| panic!("{part}")).1;
             }
         }
     }
