@@ -4,6 +4,7 @@ mod any_bits;
 mod bad_cases;
 mod bad_requests;
 mod bars;
+mod book;
 mod cases;
 mod commands;
 mod draw;

@@ -12,7 +12,7 @@ fn readme() -> String {
 }
 
 /// The fenced blocks of a page in order: their language and their text.
-fn blocks(page: &str) -> Vec<(&str, String)> {
+pub(crate) fn blocks(page: &str) -> Vec<(&str, String)> {
     let (mut blocks, mut open): (Vec<(&str, String)>, bool) = (Vec::new(), false);
     for line in page.lines() {
         match line.strip_prefix("```") {
@@ -34,7 +34,7 @@ fn blocks(page: &str) -> Vec<(&str, String)> {
 
 /// Does what a line of a shell block asks for, and gives what it prints. `None` for the commands that
 /// concern the whole workspace or take long.
-fn printed(line: &str, folder: &Folder) -> Option<String> {
+pub(crate) fn printed(line: &str, folder: &Folder) -> Option<String> {
     let words = line.split('#').next().unwrap().trim();
     if let Some(rest) = words.strip_prefix("printf '") {
         let (text, name) = rest.split_once("' > ").expect("printf 'TEXT' > FILE");
