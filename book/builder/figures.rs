@@ -23,8 +23,8 @@ pub(crate) struct Figures {
 }
 
 impl Figures {
-    /// Those of the project at `root`. Where the target is missing, says so, with the command that adds it: pages then
-    /// show the still picture.
+    /// Those of the project at `root`. Where the target is missing, says so, with the command that adds it:
+    /// pages then show the still picture.
     pub(crate) fn of(root: &Path) -> Figures {
         let is_possible = has_target(root);
         if !is_possible {
@@ -41,8 +41,8 @@ impl Figures {
         Figures { root: root.to_path_buf(), is_possible: false, built: OnceCell::new() }
     }
 
-    /// The lines that show a chapter's figure. Until its module runs, and where there is none, the stage's picture stands
-    /// there.
+    /// The lines that show a chapter's figure. Until its module runs, and where there is none, the stage's
+    /// picture stands there.
     pub(crate) fn markdown(&self, name: &str) -> Result<String, String> {
         let still = pictures::markdown(name)?;
         if !self.root.join("book/figures/examples").join(format!("{name}-figure.rs")).is_file() {

@@ -1,8 +1,8 @@
 //! The chapters' interactive figures, for a page in a browser.
 //!
 //! A chapter has a [`Figure`]; [`exports!`](crate::exports) makes a module of it, with plain functions that
-//! `book/theme/figures.js` calls. What a function has to say is UTF-8 text, which begins where the function says
-//! and is [`length`](Shown::length) bytes long. It stays there until the next call.
+//! `book/theme/figures.js` calls. What a function has to say is UTF-8 text, which begins where the function
+//! says and is [`length`](Shown::length) bytes long. It stays there until the next call.
 
 mod values;
 
@@ -77,7 +77,8 @@ impl<F: Figure> Shown<F> {
         text += "</select></label>";
         for (place, Dial { name, value, least, most }) in self.figure.dials().into_iter().enumerate() {
             text += &format!(
-                "<label>{name} <input type=\"range\" data-dial=\"{place}\" min=\"{least}\" max=\"{most}\" step=\"0.01\" \
+                "<label>{name} <input type=\"range\" data-dial=\"{place}\" min=\"{least}\" \
+                 max=\"{most}\" step=\"0.01\" \
                  value=\"{value}\"><output>{value}</output></label>"
             );
         }

@@ -51,17 +51,13 @@ fn steps(in_f64: &Section, in_f32: &Section) -> String {
     }
     let remark =
         if parted { "<p>The two precisions decide otherwise, and go on by other steps.</p>" } else { "" };
-    let head = "<tr><th>symbol</th><th>formula</th><th>f64</th><th>f32</th><th>what it says</th></tr>";
-    format!(
-        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"steps\"><table><thead>{head}</thead><tbody>{rows}</tbody></table></div>{remark}"
-    )
+    table("steps", ["symbol", "formula", "f64", "f32", "what it says"], &rows) + remark
 }
 
 fn row([symbol, formula]: [&str; 2], [wide, narrow]: [&str; 2], note: &str) -> String {
     let [symbol, formula, wide, narrow, note] = [symbol, formula, wide, narrow, note].map(escaped);
-    format!(
-        "<tr><th scope=\"row\">{symbol}</th><td>{formula}</td><td>{wide}</td><td>{narrow}</td><td>{note}</td></tr>"
-    )
+    let values = format!("<td>{wide}</td><td>{narrow}</td>");
+    format!("<tr><th scope=\"row\">{symbol}</th><td>{formula}</td>{values}<td>{note}</td></tr>")
 }
 
 fn answers<F: Figure>(figure: &F) -> String {
@@ -70,9 +66,15 @@ fn answers<F: Figure>(figure: &F) -> String {
         let [wide, narrow] = [answer::<F, f64>(figure, method), answer::<F, f32>(figure, method)];
         rows += &format!("<tr><th scope=\"row\">{name}</th><td>{wide}</td><td>{narrow}</td></tr>");
     }
-    let head = "<tr><th>method</th><th>f64</th><th>f32</th></tr>";
+    table("answers", ["method", "f64", "f32"], &rows)
+}
+
+/// A table that scrolls by itself where it is wide.
+fn table<const N: usize>(name: &str, columns: [&str; N], rows: &str) -> String {
+    let head: String = columns.iter().map(|column| format!("<th>{column}</th>")).collect();
     format!(
-        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"answers\"><table><thead>{head}</thead><tbody>{rows}</tbody></table></div>"
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{name}\">\
+         <table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>"
     )
 }
 

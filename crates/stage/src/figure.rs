@@ -21,7 +21,7 @@ pub struct Handle {
 pub struct Dial {
     /// What it is, as the page calls it.
     pub name: &'static str,
-    /// The number, and the least and the largest there may be.
+    /// The number it shows.
     pub value: f64,
     /// The least number there may be.
     pub least: f64,
@@ -32,7 +32,8 @@ pub struct Dial {
 /// A chapter's question with everything that can be changed about it. What a new one shows is where a reader
 /// starts.
 ///
-/// A figure computes nothing of its own: it asks the chapter's methods, and shows the steps that `show` prints.
+/// A figure computes nothing of its own: it asks the chapter's methods, and shows the steps that `show`
+/// prints.
 pub trait Figure: Default {
     /// What is drawn, in a sentence: which plane it is, and what to move.
     const CAPTION: &'static str;

@@ -176,15 +176,16 @@ impl Sketch {
         self
     }
 
-    /// What a reader can drag, by its number: a dot with room around it for a finger. One that stands outside of the frame
-    /// waits at its border.
+    /// What a reader can drag, by its number: a dot with room around it for a finger. One that stands
+    /// outside of the frame waits at its border.
     pub fn handle(&mut self, place: Place, number: usize, name: &str) -> &mut Sketch {
         let (x, y) = self.at(place);
         let within = |x: f64, most: u32| tenths(x.max(0.0).min(f64::from(most)));
         let (x, y, name) = (within(x, SKETCH.0), within(y, SKETCH.1), escaped(name));
         let (now, other) = place;
         self.add(format_args!(
-            "<g class=\"handle\" data-handle=\"{number}\" tabindex=\"0\" role=\"slider\" aria-label=\"{name}\" \
+            "<g class=\"handle\" data-handle=\"{number}\" tabindex=\"0\" role=\"slider\" \
+             aria-label=\"{name}\" \
              aria-valuenow=\"{now}\" aria-valuetext=\"({now}, {other})\" transform=\"translate({x} {y})\">\
              <circle class=\"reach\" r=\"16\"/><circle class=\"grip\" r=\"6\"/></g>"
         ));
