@@ -33,8 +33,8 @@ impl RayAndWall {
 }
 
 impl Figure for RayAndWall {
-    const CAPTION: &'static str = "The plane, x to the right and y upward. Drag the ray's start p_r, the end of its direction p_r \
-         + u_r, and the two faces of the wall.";
+    const CAPTION: &'static str = "The plane, x to the right and y upward. Drag the ray's start p_r, the \
+                                   end of its direction p_r + u_r, and the two faces of the wall.";
     const FRAME: (Place, Place) = ((-1.5, -1.8), (7.5, 3.8));
 
     fn methods() -> Vec<&'static str> {

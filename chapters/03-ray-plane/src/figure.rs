@@ -41,8 +41,9 @@ fn point<R: Real>((x, y): Place) -> R::Vec3 {
 }
 
 impl Figure for RayAndPlane {
-    const CAPTION: &'static str = "A cut at z = 0, x to the right and y upward: the plane is seen from its edge. Drag the ray's \
-         start p_r, the end of its direction, the plane's point p_0 and the end of its normal.";
+    const CAPTION: &'static str = "A cut at z = 0, x to the right and y upward: the plane is seen from \
+                                   its edge. Drag the ray's start p_r, the end of its direction, the \
+                                   plane's point p_0 and the end of its normal.";
     const FRAME: (Place, Place) = ((-4.5, -2.4), (4.5, 3.2));
 
     fn methods() -> Vec<&'static str> {

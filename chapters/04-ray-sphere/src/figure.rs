@@ -46,8 +46,8 @@ impl RayAndSphere {
 }
 
 impl Figure for RayAndSphere {
-    const CAPTION: &'static str = "A cut at x = 0, z to the right and y upward. Drag the ray's start p_r, the end of its direction \
-         D, the sphere's center c, and its rim.";
+    const CAPTION: &'static str = "A cut at x = 0, z to the right and y upward. Drag the ray's start p_r, \
+                                   the end of its direction D, the sphere's center c, and its rim.";
     const FRAME: (Place, Place) = ((-1.0, -3.2), (6.5, 1.8));
 
     fn methods() -> Vec<&'static str> {

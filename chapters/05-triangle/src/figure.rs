@@ -36,8 +36,9 @@ impl RayAndTriangle {
 }
 
 impl Figure for RayAndTriangle {
-    const CAPTION: &'static str = "The view plane z = −1, as the eye sees it, x to the right and y upward. Drag the ray's point \
-         p̄_ij and the corners: those keep their z, so that the triangle leans back as before.";
+    const CAPTION: &'static str = "The view plane z = −1, as the eye sees it, x to the right and y \
+                                   upward. Drag the ray's point p̄_ij and the corners: those keep their \
+                                   z, so that the triangle leans back as before.";
     const FRAME: (Place, Place) = ((-1.2, -0.7), (1.2, 0.7));
 
     fn methods() -> Vec<&'static str> {

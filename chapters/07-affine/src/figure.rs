@@ -66,8 +66,9 @@ fn point<R: Real>((x, y): Place) -> R::Vec3 {
 }
 
 impl Figure for Squashed {
-    const CAPTION: &'static str = "A cut at z = 0, x to the right and y upward. Drag where the sphere's x axis and its y axis go, \
-         A e1 and A e2, where its center goes, t⃗, and the ray. Squash it flat: A then has no inverse.";
+    const CAPTION: &'static str = "A cut at z = 0, x to the right and y upward. Drag where the sphere's x \
+                                   axis and its y axis go, A e1 and A e2, where its center goes, t⃗, and \
+                                   the ray. Squash it flat: A then has no inverse.";
     const FRAME: (Place, Place) = ((-4.0, -2.2), (4.0, 2.6));
 
     fn methods() -> Vec<&'static str> {

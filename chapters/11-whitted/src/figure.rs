@@ -74,8 +74,9 @@ fn point<R: Real>((x, y): Place) -> R::Vec3 {
 }
 
 impl Figure for RayAndSurface {
-    const CAPTION: &'static str = "A cut at z = 0: the surface is y = 0, seen from its edge. Drag the ray, also from below, and \
-         the light l̄; turn the indices of refraction above and below.";
+    const CAPTION: &'static str = "A cut at z = 0: the surface is y = 0, seen from its edge. Drag the \
+                                   ray, also from below, and the light l̄; turn the indices of refraction \
+                                   above and below.";
     const FRAME: (Place, Place) = ((-3.6, -2.2), (3.6, 2.6));
 
     fn methods() -> Vec<&'static str> {
