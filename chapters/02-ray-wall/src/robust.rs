@@ -271,4 +271,11 @@ mod tests {
         assert_eq!(reason([0.5, 1.0, 0.0, -0.0, 4.0, 4.5]), Some(Degenerate::ZeroDirection));
         assert_eq!(reason([0.5, 1.0, 0.25, -0.5, 4.5, 4.0]), Some(Degenerate::FrontBeyondBack));
     }
+
+    /// The verdict of the oracle, and its t rounded once but for hardly more than half a unit.
+    #[cfg(feature = "stage")]
+    #[test]
+    fn right_in_every_regime() {
+        assert_eq!(lab::first_beyond(&crate::stage::RayWall, 1, 300, |_, _| 1), None);
+    }
 }

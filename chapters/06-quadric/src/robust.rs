@@ -181,4 +181,11 @@ mod tests {
             }
         }
     }
+
+    /// The verdict of the oracle, and its λ within a unit of the last digit.
+    #[cfg(feature = "stage")]
+    #[test]
+    fn right_in_every_regime() {
+        assert_eq!(lab::first_beyond(&crate::stage::Quadric, 1, 300, |_, _| 1), None);
+    }
 }

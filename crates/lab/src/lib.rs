@@ -9,6 +9,7 @@
 
 mod accuracy;
 mod angle;
+mod beyond;
 mod draw;
 mod effort;
 mod map_cells;
@@ -28,6 +29,7 @@ mod verdict;
 
 pub use accuracy::{Accuracy, Judgment, Ulps, judge, ulps};
 pub use angle::{angle, dot};
+pub use beyond::first_beyond;
 pub use draw::{Draw, Vec2, Vec3};
 pub use effort::{Effort, asked_for};
 pub use map_cells::cells;

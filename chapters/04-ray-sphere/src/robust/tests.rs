@@ -80,3 +80,14 @@ fn four_ways() {
     );
     assert_eq!(half_the_digits.chord.certainty, Certainty::AtOnce, "next to a tangent for an f32");
 }
+
+/// The verdict of the oracle, and its t within what is derived beside the constants: 9 units of the last digit,
+/// 1 of `f32`.
+#[cfg(feature = "stage")]
+#[test]
+fn right_in_every_regime() {
+    use stage::Precision::{self, F32};
+
+    let allowed = |_: &_, precision: Precision| if precision == F32 { 1 } else { 9 };
+    assert_eq!(lab::first_beyond(&crate::stage::RaySphere, 5, 300, allowed), None);
+}

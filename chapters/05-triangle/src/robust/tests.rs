@@ -261,3 +261,10 @@ fn no_hit_has_a_number_that_is_none() {
     assert_in_order::<f64>(&mut any);
     assert_in_order::<f32>(|| any() as f32);
 }
+
+/// The verdict of the oracle, and its λ within a unit of the last digit.
+#[cfg(feature = "stage")]
+#[test]
+fn right_in_every_regime() {
+    assert_eq!(lab::first_beyond(&crate::stage::RayTriangle, 2, 300, |_, _| 1), None);
+}
