@@ -57,6 +57,15 @@ mod tests {
     }
 
     #[test]
+    fn the_eye_looks_along_minus_z_at_a_window_at_depth_1() {
+        // by hand: pixels of ¼, the lower left one around (−⅜, −⅝)
+        let size = (4, 4);
+        let ray = pixel_ray(&camera::<f64>(size).unwrap(), size, (0, 3));
+        assert_eq!((ray.origin, ray.direction), (DVec3::Y, DVec3::new(-0.375, -0.625, -1.0)));
+        assert_eq!(ground::<f64>(), Plane { point: DVec3::ZERO, normal: DVec3::Y });
+    }
+
+    #[test]
     fn tiles_alternate_across_zero() {
         let dark = |x, z| is_dark::<f64>(DVec3::new(x, 0.0, z));
         assert_eq!(

@@ -143,3 +143,43 @@ impl<R: Real> Working<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: the plane x + 2y − 2z = 3 through (1, 2, 1), ‖n‖ = 3. (5, 6, 1) is 12 above it in lengths of
+    /// n, along (−2, −1, 1) that falls by 6 a unit, and (1, 4, 3) is in the plane.
+    fn assert_meets_a_slanted_plane<R: Real>(length: f64) {
+        let vector = |[x, y, z]: [f64; 3]| R::vec3(R::round_from(x), R::round_from(y), R::round_from(z));
+        let n = [1.0, 2.0, -2.0];
+        let plane = Plane::<R> { point: vector([1.0, 2.0, 1.0]), normal: vector(n.map(|x| x * length)) };
+        let ray = Ray3::<R>::new(vector([5.0, 6.0, 1.0]), vector([-2.0, -1.0, 1.0]));
+        // n / ‖n‖ is off by a few roundings, each of half a unit of the last digit
+        let few = 4.0 * 0.5_f64.powi(R::DIGITS as i32);
+        for method in Method::ALL {
+            let (work, says) = (method.work(&ray, &plane), format!("{} {length:e}", method.name()));
+            assert_eq!(work.meeting(), Meeting::At(R::from(2.0)), "{says}");
+            assert!((work.distance().into() - 4.0).abs() <= few * 4.0, "{says}: {:?}", work.distance());
+            let hit = work.hit(Span::ahead()).unwrap().unwrap();
+            assert_eq!((hit.t, hit.point), (R::from(2.0), vector([1.0, 4.0, 3.0])), "{says}");
+            for (got, want) in R::xyz(hit.normal).into_iter().zip(n) {
+                assert!((got.into() - want / 3.0).abs() <= few, "{says}: {got:?}");
+            }
+        }
+    }
+
+    /// Of the short normals no product is left to plain numbers.
+    #[test]
+    fn every_method_meets_a_slanted_plane() {
+        assert_meets_a_slanted_plane::<f32>(1.0);
+        assert_meets_a_slanted_plane::<f64>(1.0);
+        assert_meets_a_slanted_plane::<f32>(2.0_f64.powi(-120));
+        assert_meets_a_slanted_plane::<f64>(2.0_f64.powi(-600));
+    }
+
+    #[test]
+    fn methods_have_the_names_that_are_asked_for() {
+        assert_eq!(Method::ALL.map(Method::name), ["notes", "robust"]);
+    }
+}

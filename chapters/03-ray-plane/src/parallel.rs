@@ -62,4 +62,30 @@ mod tests {
         // 0.1 · −0.2 − 0.1 · 0.1 + 0.1 · 0.3 is 0 when rounded, and 0.1, 0.2, 0.3 are not what they say
         assert_eq!(along([0.0; 3], [0.1, -0.1, -0.1], [-0.2, 0.1, -0.300_000_000_000_000_04]), None);
     }
+
+    /// n · u_r = 0 by two products of three, whichever they are.
+    #[test]
+    fn two_products_cancel() {
+        for u in [[1.0, -1.0, 0.0], [1.0, 0.0, -1.0], [0.0, 1.0, -1.0]] {
+            assert_eq!(along([0.0, 1.0, 0.0], u, [1.0; 3]), Some(Parallel::Apart), "{u:?}");
+        }
+    }
+
+    #[test]
+    fn a_sum_that_comes_out_of_rounding_is_none() {
+        // by hand, with ε = 2^−52: (1 + ε)² − (1 + 2ε) − ε² = 0, and the square loses its ε²
+        let e = f64::EPSILON;
+        let n = [1.0 + e, 1.0 + 2.0 * e, e];
+        assert_eq!(along([0.0; 3], [1.0 + e, -1.0, -e], n), Some(Parallel::Within));
+        // by hand, with the smallest number m: ¾ m − ½ m − ¼ m = 0, and is m when each is rounded
+        let m = f64::from_bits(1);
+        assert_eq!(along([0.0; 3], [0.75, -0.5, -0.25], [m; 3]), Some(Parallel::Within));
+    }
+
+    #[test]
+    fn within_a_plane_that_does_not_hold_the_worlds_origin() {
+        let plane = Plane { point: DVec3::new(1.0, 2.0, 3.0), normal: DVec3::ONE };
+        let from = |x: f64| parallel(&Ray3::<f64>::new(DVec3::X * x, DVec3::new(1.0, -2.0, 1.0)), &plane);
+        assert_eq!([from(6.0), from(-6.0)], [Some(Parallel::Within), Some(Parallel::Apart)]);
+    }
 }

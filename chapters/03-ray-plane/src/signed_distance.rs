@@ -85,4 +85,10 @@ mod tests {
             assert_eq!(signed_distance(DVec3::new(1.0, -3.0, 2.0), &plane).d, -3.0, "‖n‖ = {length:e}");
         }
     }
+
+    #[test]
+    fn each_side_has_its_word() {
+        let words = [Side::Above, Side::On, Side::Below].map(Side::name);
+        assert_eq!(words, ["above", "on the plane", "below"]);
+    }
 }

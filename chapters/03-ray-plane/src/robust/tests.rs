@@ -119,6 +119,15 @@ fn what_overflows_on_the_way_does_not_matter() {
     assert_eq!((hit.t, hit.point), (2.0, DVec3::new(1e308, 0.0, 0.0)));
 }
 
+#[test]
+fn what_vanishes_on_the_way_does_not_matter() {
+    // by hand: t = 1e−40 / 1e290 is no number, and t u_r = 1e−40 is
+    let ground = Plane { point: DVec3::ZERO, normal: DVec3::Y };
+    let ray = Ray3::<f64>::new(DVec3::Y * 1e-40, DVec3::new(1e290, -1e290, 0.0));
+    let hit = robust(&ray, &ground).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.point.x, hit.point.z), (1e-40, 0.0));
+}
+
 /// The main way finds what is degenerate by the size of its sums.
 #[test]
 fn no_degenerate_number_passes_in_any_place() {
@@ -146,4 +155,15 @@ fn no_degenerate_number_passes_in_any_place() {
         case[first..first + 3].fill(-0.0);
         assert_eq!(reason(case), Some(degenerate));
     }
+}
+
+/// The verdict of the oracle, and its t to 1¼ units and a rounding of `f64`, see [`Sum::over`]; an `f32` is
+/// rounded once.
+#[cfg(feature = "stage")]
+#[test]
+fn right_in_every_regime() {
+    use stage::Precision::{self, F32};
+
+    let allowed = |_: &_, precision: Precision| if precision == F32 { 1 } else { 2 };
+    assert_eq!(lab::first_beyond(&crate::stage::RayPlane, 1, 300, allowed), None);
 }
