@@ -75,3 +75,24 @@ impl<R: Real> Found<R> {
         Hit { t: self.lambda + R::from(0.0), point: self.point, normal: self.normal() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// Of A⁻¹ that overflowed or vanished nothing is left that a normal could be made of.
+    #[test]
+    fn without_a_normal_nothing_is_brought_back() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::X);
+        let hit = Hit { t: 2.0, point: -DVec3::X, normal: -DVec3::X };
+        let brought_back = |m| Found::brought_back(&ray, hit, m);
+        assert_eq!(brought_back(DVec3::ZERO), None);
+        assert_eq!(brought_back(DVec3::new(1.0, f64::INFINITY, 0.0)), None);
+        let found = brought_back(DVec3::X * 3.0).unwrap();
+        assert_eq!(
+            (found.lambda, found.p, found.point, found.normal()),
+            (2.0, -DVec3::X, DVec3::X * 2.0, DVec3::X)
+        );
+    }
+}
