@@ -137,3 +137,49 @@ impl<R: Real> Working<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    const WALL: Wall<f64> = Wall { front: 4.0, back: 4.5 };
+
+    /// House 4.2, by hand: from (1, 1) along (1, ½) the faces are at t = 3 and 3½.
+    #[test]
+    fn every_method_enters_by_the_front_and_leaves_by_the_back() {
+        let ray = Ray2::<f64>::new(DVec2::ONE, DVec2::new(1.0, 0.5));
+        for method in Method::ALL {
+            let work = method.work(&ray, &WALL);
+            assert_eq!(
+                work.crossing(),
+                Crossing::Through(Roots { near: 3.0, far: 3.5 }),
+                "{}",
+                method.name()
+            );
+            let hit = |span| work.hit(span).unwrap().map(|hit| (hit.t, hit.point, hit.normal));
+            assert_eq!(hit(Span::ahead()), Some((3.0, DVec2::new(4.0, 2.5), -DVec2::X)));
+            assert_eq!(hit(Span::new(3.25, 9.0)), Some((3.5, DVec2::new(4.5, 2.75), DVec2::X)));
+            assert_eq!(hit(Span::new(0.0, 2.75)), None);
+        }
+    }
+
+    #[test]
+    fn along_the_wall_no_method_has_a_t() {
+        for (x, how) in [(1.0, Parallel::Apart), (4.25, Parallel::Apart), (4.5, Parallel::Within)] {
+            for method in Method::ALL {
+                let work = method.work(&Ray2::<f64>::new(DVec2::new(x, 1.0), DVec2::Y), &WALL);
+                assert_eq!(
+                    (work.crossing(), work.hit(Span::ahead())),
+                    (Crossing::Along(how), Ok(None)),
+                    "x = {x}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn methods_have_the_names_that_are_asked_for() {
+        assert_eq!(Method::ALL.map(Method::name), ["notes", "robust"]);
+    }
+}

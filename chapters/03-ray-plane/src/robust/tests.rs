@@ -12,6 +12,17 @@ fn exactly_parallel_is_parallel() {
     assert_eq!(robust(&within, &plane).meeting(), Meeting::Never(Parallel::Within));
 }
 
+/// By hand: n · u_r = 1 + 2^−53, a number in two parts, and 1 over that is 1 − 2^−53 to far more than the last digit.
+#[test]
+fn the_second_part_of_either_sum_counts() {
+    let least = 2.0_f64.powi(-53);
+    let plane = Plane { point: DVec3::ZERO, normal: DVec3::new(1.0, least, 0.0) };
+    let from =
+        |x: f64, y: f64| robust(&Ray3::<f64>::new(DVec3::new(x, y, 0.0), DVec3::new(1.0, 1.0, 0.0)), &plane);
+    assert_eq!(from(-1.0, 0.0).meeting(), Meeting::At(1.0 - least));
+    assert_eq!(from(-1.0, -1.0).meeting(), Meeting::At(1.0));
+}
+
 #[test]
 fn nearly_parallel_keeps_its_digits() {
     // by hand: n · u_r = (1 + 2^−52) − 1 = 2^−52, hidden beside products of size 2^60
@@ -74,6 +85,9 @@ fn each_way_takes_over_where_the_one_before_it_ends() {
     let touching = from([1.0, 0.0, -1.0]);
     assert_eq!(touching.n_dot_p, CertainSum { value: 0.0, certainty: Certainty::ThreePart });
     assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0);
+    let ray = Ray3::<f64>::new(DVec3::new(1.0, 0.0, -1.0), -DVec3::ONE);
+    let back = robust(&ray, &touching.plane);
+    assert_eq!(back.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0, "minus zero is zero");
 }
 
 #[test]
@@ -121,11 +135,11 @@ fn what_overflows_on_the_way_does_not_matter() {
 
 #[test]
 fn what_vanishes_on_the_way_does_not_matter() {
-    // by hand: t = 1e−40 / 1e290 is no number, and t u_r = 1e−40 is
+    // by hand: t = 1e−140 / 1e290 is no number, and t u_r = 1e−140 is
     let ground = Plane { point: DVec3::ZERO, normal: DVec3::Y };
-    let ray = Ray3::<f64>::new(DVec3::Y * 1e-40, DVec3::new(1e290, -1e290, 0.0));
+    let ray = Ray3::<f64>::new(DVec3::Y * 1e-140, DVec3::new(1e290, -1e290, 0.0));
     let hit = robust(&ray, &ground).hit(Span::ahead()).unwrap().unwrap();
-    assert_eq!((hit.point.x, hit.point.z), (1e-40, 0.0));
+    assert_eq!((hit.point.x, hit.point.z), (1e-140, 0.0));
 }
 
 /// The main way finds what is degenerate by the size of its sums.

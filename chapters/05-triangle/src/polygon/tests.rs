@@ -261,6 +261,35 @@ fn a_ten_thousandth_of_the_extent_is_planar() {
     assert_eq!(error.to_string(), says);
 }
 
+/// By hand: a square at height 1 along each axis; and one that leans, which a ray meets though it leads away
+/// from the first corner.
+#[test]
+fn only_a_level_polygon_is_left_behind_at_once() {
+    let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    for axis in 0..3 {
+        let place = |along: f64, [u, v]: [f64; 2]| {
+            let mut place = [along; 3];
+            (place[(axis + 1) % 3], place[(axis + 2) % 3]) = (u, v);
+            DVec3::from(place)
+        };
+        let level = Polygon::<f64>::new(square.map(|corner| place(1.0, corner)).to_vec()).unwrap();
+        let behind = |from: f64, up: f64| {
+            level.is_level_behind(&Ray3::<f64>::new(place(from, [1.0, 1.0]), place(up, [0.25, 0.5])))
+        };
+        let (above, below) = (1.0_f64.next_up(), 1.0_f64.next_down());
+        assert_eq!([behind(above, 1.0), behind(below, -1.0)], [true; 2]);
+        for (from, up) in [(above, -1.0), (below, 1.0), (1.0, 1.0), (1.0, -1.0), (above, 0.0), (below, 0.0)] {
+            assert!(!behind(from, up), "{from} {up}");
+        }
+        for lean in [[0.25, 0.0], [0.0, 0.25]] {
+            let corner = |[u, v]: [f64; 2]| place(1.0 + lean[0] * u + lean[1] * v, [u, v]);
+            let leaning = Polygon::<f64>::new(square.map(corner).to_vec()).unwrap();
+            let away = Ray3::<f64>::new(place(1.125, [1.0, 1.0]), place(0.25, [0.0, 0.0]));
+            assert_eq!(leaning.hit(&away, Span::ahead()).unwrap().map(|hit| hit.t), Some(0.5), "{lean:?}");
+        }
+    }
+}
+
 /// In f32 as in f64; and whatever the numbers are, nothing panics and nothing is NaN.
 #[test]
 fn any_bits_are_refused_or_answered() {
