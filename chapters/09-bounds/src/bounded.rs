@@ -353,7 +353,8 @@ mod tests {
 
     /// By hand, before an eye at the origin that looks along z through five columns and rows of 0.6: a unit
     /// sphere from z = 4 to 6, the plane z = 9, a square of two faces at z = 7, one more unit sphere on the
-    /// right, and on the left an ellipsoid from z = 3 to 7. The parts are those objects, the third of them two.
+    /// right, and on the left an ellipsoid from z = 3 to 7. The parts are those objects, the third of them
+    /// two.
     fn scene() -> Scene<f64> {
         let at = |x: f64| DVec3::new(x, 0.0, 5.0);
         let sphere = |x: f64| Shape::Sphere(Sphere { center: at(x), radius: 1.0 });
@@ -472,9 +473,9 @@ mod tests {
         assert_eq!(Leaves::Passes(0).tried_idly(), Leaves::PassesIdly(0));
     }
 
-    /// By hand, along z: where there are bounds the plane, which has none, is tried first, and then the sphere is
-    /// nearer. All four bounds are asked; that of the square is passed too, where the nearest hit so far does not
-    /// count. Without bounds the sphere comes first, and nothing is nearer.
+    /// By hand, along z: where there are bounds the plane, which has none, is tried first, and then the
+    /// sphere is nearer. All four bounds are asked; that of the square is passed too, where the nearest hit
+    /// so far does not count. Without bounds the sphere comes first, and nothing is nearer.
     #[test]
     fn as_much_is_tested_as_the_bounds_leave_over() {
         let scene = scene();

@@ -12,8 +12,8 @@ fn exactly_parallel_is_parallel() {
     assert_eq!(robust(&within, &plane).meeting(), Meeting::Never(Parallel::Within));
 }
 
-/// By hand: n · u_r = 1 + 2^−53, a number in two parts, and 1 over that is 1 − 2^−53 to far more than the last
-/// digit.
+/// By hand: n · u_r = 1 + 2^−53, a number in two parts, and 1 over that is 1 − 2^−53 to far more than the
+/// last digit.
 #[test]
 fn the_second_part_of_either_sum_counts() {
     let least = 2.0_f64.powi(-53);

@@ -81,8 +81,8 @@ fn four_ways() {
     assert_eq!(half_the_digits.chord.certainty, Certainty::AtOnce, "next to a tangent for an f32");
 }
 
-/// The verdict of the oracle, and its t within what is derived beside the constants: 9 units of the last digit,
-/// 1 of `f32`.
+/// The verdict of the oracle, and its t within what is derived beside the constants: 9 units of the last
+/// digit, 1 of `f32`.
 #[cfg(feature = "stage")]
 #[test]
 fn right_in_every_regime() {

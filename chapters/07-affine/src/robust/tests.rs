@@ -61,9 +61,9 @@ fn slanted_rays_meet_the_unit_object() {
     }
 }
 
-/// By hand: chords of what was made larger, from λ = 1 to 2. The far end is worked out exactly, and p is rounded
-/// twice. Of the cylinder the middle of the chord is above z = 0 with its far end, below it with it, or on the
-/// other side.
+/// By hand: chords of what was made larger, from λ = 1 to 2. The far end is worked out exactly, and p is
+/// rounded twice. Of the cylinder the middle of the chord is above z = 0 with its far end, below it with
+/// it, or on the other side.
 #[test]
 fn slanted_rays_leave_the_unit_object() {
     for (object, size, from, along, place) in [
