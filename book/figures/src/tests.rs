@@ -97,7 +97,8 @@ fn what_is_said_is_the_methods_own() {
     assert!(shown.said.contains("There is no answer: "), "{}", shown.said);
 }
 
-/// sin 41.8° / sin θ2 … by hand: from water into air beyond 48.75° nothing goes through.
+/// By hand: a ray that climbs 1 on 2 comes at arctan 2 = 63.4° to the normal, and from water (1.33) into air
+/// nothing goes through beyond 48.75°.
 #[test]
 fn from_below_nothing_goes_through_beyond_the_critical_angle() {
     let mut shown = Shown::<RayAndSurface>::default();

@@ -1,7 +1,7 @@
 //! The figure of the book: a ray and a wall to drag.
 
 use math::{Degenerate, Ray2, Real, Span, Vector};
-use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, to_hundredths};
+use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, moved, to_hundredths};
 use stage::{Ink, Section, Sketch};
 
 use crate::stage::{ORIGIN, WALL, explain, why};
@@ -51,10 +51,7 @@ impl Figure for RayAndWall {
     fn drag(&mut self, handle: usize, to: Place) {
         let (x, y) = to_hundredths(to);
         match handle {
-            0 => {
-                let (u_x, u_y) = (self.tip.0 - self.p_r.0, self.tip.1 - self.p_r.1);
-                (self.p_r, self.tip) = ((x, y), to_hundredths((x + u_x, y + u_y)));
-            }
+            0 => (self.p_r, self.tip) = moved((self.p_r, self.tip), (x, y)),
             1 => self.tip = (x, y),
             2 => self.wall.front = x,
             3 => self.wall.back = x,

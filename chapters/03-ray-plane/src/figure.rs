@@ -1,7 +1,7 @@
 //! The figure of the book: a ray and a plane to drag.
 
 use math::{Degenerate, Parallel, Ray3, Real, Span, Vector};
-use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, to_hundredths};
+use stage::figure::{Figure, Handle, Place, at_z_0, first_steps, hit_in_words, moved, to_hundredths};
 use stage::{Ink, Section, Sketch};
 
 use crate::stage::explain;
@@ -25,19 +25,14 @@ impl Default for RayAndPlane {
 
 impl RayAndPlane {
     fn ray<R: Real>(&self) -> Ray3<R> {
-        let [p, tip] = [self.p_r, self.tip].map(point::<R>);
+        let [p, tip] = [self.p_r, self.tip].map(at_z_0::<R>);
         Ray3::new(p, tip - p)
     }
 
     fn plane<R: Real>(&self) -> Plane<R> {
-        let [p_0, tip] = [self.p_0, self.n_tip].map(point::<R>);
+        let [p_0, tip] = [self.p_0, self.n_tip].map(at_z_0::<R>);
         Plane { point: p_0, normal: tip - p_0 }
     }
-}
-
-/// A point of the plane z = 0.
-fn point<R: Real>((x, y): Place) -> R::Vec3 {
-    R::vec3(R::round_from(x), R::round_from(y), R::from(0.0))
 }
 
 impl Figure for RayAndPlane {
@@ -58,11 +53,10 @@ impl Figure for RayAndPlane {
 
     fn drag(&mut self, handle: usize, to: Place) {
         let (x, y) = to_hundredths(to);
-        let along = |from: Place, tip: Place| to_hundredths((x + tip.0 - from.0, y + tip.1 - from.1));
         match handle {
-            0 => (self.p_r, self.tip) = ((x, y), along(self.p_r, self.tip)),
+            0 => (self.p_r, self.tip) = moved((self.p_r, self.tip), (x, y)),
             1 => self.tip = (x, y),
-            2 => (self.p_0, self.n_tip) = ((x, y), along(self.p_0, self.n_tip)),
+            2 => (self.p_0, self.n_tip) = moved((self.p_0, self.n_tip), (x, y)),
             3 => self.n_tip = (x, y),
             _ => {}
         }

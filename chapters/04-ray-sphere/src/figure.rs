@@ -1,7 +1,7 @@
 //! The figure of the book: a ray and a sphere to drag.
 
 use math::{Degenerate, Ray3, Real, Span};
-use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, hundredths, to_hundredths};
+use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, hundredths, moved, to_hundredths};
 use stage::{Ink, Section, Sketch};
 
 use crate::explain::explain;
@@ -63,10 +63,7 @@ impl Figure for RayAndSphere {
     fn drag(&mut self, handle: usize, to: Place) {
         let (z, y) = to_hundredths(to);
         match handle {
-            0 => {
-                let along = (z + self.tip.0 - self.p_r.0, y + self.tip.1 - self.p_r.1);
-                (self.p_r, self.tip) = ((z, y), to_hundredths(along));
-            }
+            0 => (self.p_r, self.tip) = moved((self.p_r, self.tip), (z, y)),
             1 => self.tip = (z, y),
             2 => self.c = (z, y),
             // a radius below 0 may be had: it has no answer

@@ -1,7 +1,7 @@
 //! The figure of the book: a sphere to squash, and a ray.
 
 use math::{Degenerate, Ray3, Real, Span, Vector};
-use stage::figure::{Figure, Handle, Place, first_steps, hit_in_words, to_hundredths};
+use stage::figure::{Figure, Handle, Place, at_z_0, first_steps, hit_in_words, moved, to_hundredths};
 use stage::{Ink, Section, Sketch};
 
 use crate::explain::explain;
@@ -29,12 +29,12 @@ impl Default for Squashed {
 
 impl Squashed {
     fn ray<R: Real>(&self) -> Ray3<R> {
-        let [a, tip] = [self.a, self.tip].map(point::<R>);
+        let [a, tip] = [self.a, self.tip].map(at_z_0::<R>);
         Ray3::new(a, tip - a)
     }
 
     fn affine<R: Real>(&self) -> Affine<R> {
-        let [t, first, second] = [self.t, self.first, self.second].map(point::<R>);
+        let [t, first, second] = [self.t, self.first, self.second].map(at_z_0::<R>);
         let third = R::vec3(R::from(0.0), R::from(0.0), R::from(1.0));
         Affine { a: Matrix3 { columns: [first - t, second - t, third] }, t }
     }
@@ -60,11 +60,6 @@ impl Squashed {
     }
 }
 
-/// A point of the plane z = 0.
-fn point<R: Real>((x, y): Place) -> R::Vec3 {
-    R::vec3(R::round_from(x), R::round_from(y), R::from(0.0))
-}
-
 impl Figure for Squashed {
     const CAPTION: &'static str = "A cut at z = 0, x to the right and y upward. Drag where the sphere's x \
                                    axis and its y axis go, A e1 and A e2, where its center goes, t⃗, and \
@@ -83,15 +78,14 @@ impl Figure for Squashed {
 
     fn drag(&mut self, handle: usize, to: Place) {
         let (x, y) = to_hundredths(to);
-        let along = |from: Place, tip: Place| to_hundredths((x + tip.0 - from.0, y + tip.1 - from.1));
         match handle {
             0 => {
-                (self.first, self.second) = (along(self.t, self.first), along(self.t, self.second));
-                self.t = (x, y);
+                let [first, second] = [self.first, self.second].map(|tip| moved((self.t, tip), (x, y)).1);
+                (self.t, self.first, self.second) = ((x, y), first, second);
             }
             1 => self.first = (x, y),
             2 => self.second = (x, y),
-            3 => (self.a, self.tip) = ((x, y), along(self.a, self.tip)),
+            3 => (self.a, self.tip) = moved((self.a, self.tip), (x, y)),
             4 => self.tip = (x, y),
             _ => {}
         }

@@ -4,7 +4,7 @@ use math::{Degenerate, Ray3, Real, Span, Vector};
 use ray_plane::{Hit3, Plane};
 use shading::{Material, Rgb, phong};
 use signature::Method;
-use stage::figure::{Dial, Figure, Handle, Place, hit_in_words, hundredths, to_hundredths};
+use stage::figure::{Dial, Figure, Handle, Place, at_z_0, hit_in_words, hundredths, moved, to_hundredths};
 use stage::{Ink, Section, Sketch, Value};
 
 use crate::show::of_ray::{refracted, terms};
@@ -41,13 +41,13 @@ struct Landed<R: Real> {
 
 impl RayAndSurface {
     fn ray<R: Real>(&self) -> Ray3<R> {
-        let [a, tip] = [self.a, self.tip].map(point::<R>);
+        let [a, tip] = [self.a, self.tip].map(at_z_0::<R>);
         Ray3::new(a, tip - a)
     }
 
     /// The surface, y = 0, met by a method.
     fn hit<R: Real>(&self, method: usize) -> Result<Option<Hit3<R>>, Degenerate> {
-        let surface = Plane { point: point::<R>((0.0, 0.0)), normal: point::<R>((0.0, 1.0)) };
+        let surface = Plane { point: at_z_0::<R>((0.0, 0.0)), normal: at_z_0::<R>((0.0, 1.0)) };
         match Method::ALL[method] {
             Method::Robust => ray_plane::robust(&self.ray(), &surface).hit(Span::ahead()),
             Method::Notes => ray_plane::notes(&self.ray(), &surface).hit(Span::ahead()),
@@ -66,11 +66,6 @@ impl RayAndSurface {
         let [above, below] = self.n;
         if from_above { [above, below] } else { [below, above] }
     }
-}
-
-/// A point of the plane z = 0.
-fn point<R: Real>((x, y): Place) -> R::Vec3 {
-    R::vec3(R::round_from(x), R::round_from(y), R::from(0.0))
 }
 
 impl Figure for RayAndSurface {
@@ -92,10 +87,7 @@ impl Figure for RayAndSurface {
     fn drag(&mut self, handle: usize, to: Place) {
         let (x, y) = to_hundredths(to);
         match handle {
-            0 => {
-                let along = (x + self.tip.0 - self.a.0, y + self.tip.1 - self.a.1);
-                (self.a, self.tip) = ((x, y), to_hundredths(along));
-            }
+            0 => (self.a, self.tip) = moved((self.a, self.tip), (x, y)),
             1 => self.tip = (x, y),
             2 => self.light = (x, y),
             _ => {}
@@ -165,7 +157,7 @@ impl Figure for RayAndSurface {
         let angle = critical_angle(n1, n2).map_or(Value::text("none"), Value::number);
         section.step("θ_c", "degrees, sin θ_c = n2 / n1", angle);
 
-        let to_light = point::<R>(self.light) - p;
+        let to_light = at_z_0::<R>(self.light) - p;
         if to_light.is_zero() {
             section.step("s⃗", "(l̄ − p̄) / ‖l̄ − p̄‖", Value::text("none")).note("the light is at p̄");
             return Ok(section);

@@ -32,8 +32,7 @@ pub struct Dial {
 /// A chapter's question with everything that can be changed about it. What a new one shows is where a reader
 /// starts.
 ///
-/// A figure computes nothing of its own: it asks the chapter's methods, and shows the steps that `show`
-/// prints.
+/// A figure has no formula of its own: it asks the chapter's methods, and shows their steps as `show` does.
 pub trait Figure: Default {
     /// What is drawn, in a sentence: which plane it is, and what to move.
     const CAPTION: &'static str;
@@ -95,6 +94,16 @@ fn number<R: Real>(x: R) -> String {
 pub fn hundredths(x: f64) -> f64 {
     // adding 0 makes minus zero zero
     (x * 100.0).round() / 100.0 + 0.0
+}
+
+/// A point of the drawn plane where that is z = 0.
+pub fn at_z_0<R: Real>((x, y): Place) -> R::Vec3 {
+    R::vec3(R::round_from(x), R::round_from(y), R::from(0.0))
+}
+
+/// An arrow from one place to another, moved so that it begins elsewhere.
+pub fn moved((from, tip): (Place, Place), to: Place) -> (Place, Place) {
+    (to, to_hundredths((to.0 + tip.0 - from.0, to.1 + tip.1 - from.1)))
 }
 
 /// A place to hundredths.

@@ -8,6 +8,7 @@ mod page;
 
 use crate::{Ask, Color, Error, Section};
 
+pub use packed::Packed;
 pub(crate) use page::write_page;
 
 /// The most pixels of a page when no size is asked for: each takes some hundred bytes of it.
@@ -77,5 +78,3 @@ fn step((width, height): (u32, u32)) -> u32 {
 
 #[cfg(test)]
 mod tests;
-
-pub use packed::Packed;
