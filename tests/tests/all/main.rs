@@ -7,6 +7,7 @@ mod bars;
 mod book;
 mod cases;
 mod commands;
+mod dependencies;
 mod draw;
 mod exact;
 mod exact_cases;
