@@ -203,7 +203,7 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
     /// Reads the next line that is not blank into `fields`; false at the end of the file.
     fn read_fields(&mut self) -> Result<bool, Error> {
         let mut line = Vec::new();
-        while line.trim_ascii().is_empty() {
+        while is_blank(&line) {
             line.clear();
             let read = (&mut self.input).take(LONGEST_LINE).read_until(b'\n', &mut line);
             self.line += 1;
@@ -237,6 +237,12 @@ impl<'a, I: BufRead> CaseReader<'a, I> {
         })?;
         Ok(true)
     }
+}
+
+/// Whether a line shows nothing: white space, perhaps after a byte order mark, which is passed over at the
+/// start of any line.
+fn is_blank(line: &[u8]) -> bool {
+    line.strip_prefix("\u{feff}".as_bytes()).unwrap_or(line).trim_ascii().is_empty()
 }
 
 /// The fields of one line of CSV; `None` where a quoted field does not end.
@@ -297,6 +303,14 @@ mod tests {
     fn columns_are_found_by_name_and_others_ignored() {
         let rows = read(b"\xef\xbb\xbfremark,dx,ox\r\n\"a, \"\"b\"\"\",1,2\r\n\r\nc, 3 ,4").unwrap();
         assert_eq!(rows, [[2.0, 1.0], [4.0, 3.0]]);
+    }
+
+    #[test]
+    fn a_line_with_nothing_but_a_mark_is_blank() {
+        let mark = "\u{feff}";
+        let rows = read(format!("{mark}\n{mark}ox,dx\n{mark} \r\n{mark}1,2\n").as_bytes()).unwrap();
+        assert_eq!(rows, [[1.0, 2.0]]);
+        assert!(message(mark.as_bytes()).contains("the file is empty"));
     }
 
     #[test]
