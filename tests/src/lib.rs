@@ -6,11 +6,20 @@
 //! `INSTA_UPDATE=always cargo test -p tests`, its picture with `UPDATE_PICTURES=1`; then read and
 //! look at what was accepted.
 
+mod bars;
 mod folder;
+pub mod fuzzed;
+mod judge;
 mod picture;
+mod record;
+mod verdict;
 
+pub use bars::{BARS, Bars};
 pub use folder::Folder;
+pub use judge::{Judge, is_within};
 pub use picture::compare;
+pub use record::{Record, case_of, number, records};
+pub use verdict::exact_verdict;
 
 use stage::Stage;
 

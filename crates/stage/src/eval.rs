@@ -15,7 +15,7 @@ pub(crate) fn eval(
     output: &mut dyn Write,
 ) -> Result<(), Error> {
     match cases.filter(|path| *path != Path::new("-")) {
-        None => answer(stage, ask, io::stdin().lock(), "standard input", output),
+        None => answer_cases(stage, ask, io::stdin().lock(), "standard input", output),
         Some(path) => {
             let name = path.display().to_string();
             if path.is_dir() {
@@ -28,12 +28,18 @@ pub(crate) fn eval(
                 };
                 Error::Request(format!("cannot read {name}: {cause}; name a CSV file"))
             })?;
-            answer(stage, ask, BufReader::new(file), &name, output)
+            answer_cases(stage, ask, BufReader::new(file), &name, output)
         }
     }
 }
 
-fn answer(
+/// Answers every case of a text: a header row, then one row a case, each written as soon as its case is
+/// read.
+///
+/// `name` is what errors call the text. [`Error::Request`] with the place of the fault where the text is no
+/// case file of the stage; the rows before it are written then. [`Error::Failed`] where the text cannot be
+/// read on, or the output not be written; [`Error::PipeClosed`] where nobody reads the output any more.
+pub fn answer_cases(
     stage: &dyn Stage,
     ask: &Ask,
     input: impl BufRead,

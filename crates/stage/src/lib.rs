@@ -45,6 +45,7 @@ pub use case::{Case, Row};
 pub use color::Color;
 pub use command::{asked, finish, main, main_from, refuse, report};
 pub use error::Error;
+pub use eval::answer_cases;
 pub use flags::{Flag, command as command_line};
 pub use ids::Ids;
 pub use inspect::{Inspect, Inspector, Look, Packed};

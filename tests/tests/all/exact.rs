@@ -4,50 +4,13 @@
 //! they hold `regime,hit,t,t_out,reason`: the verdict is exact, t is the exact smallest root ≥ 0,
 //! rounded once. They were made with integer arithmetic by a program that shares nothing with this one.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stage::{About, Precision};
+use stage::Precision;
+use tests::{Record, records};
 
 use crate::process::run;
-
-/// One row of a CSV file by the names of its columns.
-pub(crate) struct Record(BTreeMap<String, String>);
-
-impl Record {
-    /// The text in a column; empty where there is no such column.
-    pub(crate) fn text(&self, column: &str) -> &str {
-        self.0.get(column).map_or("", String::as_str)
-    }
-
-    /// The names of the columns whose text is NaN.
-    pub(crate) fn nan_columns(&self) -> Vec<&str> {
-        let nan = self.0.iter().filter(|(_, text)| text.eq_ignore_ascii_case("nan"));
-        nan.map(|(column, _)| column.as_str()).collect()
-    }
-
-    /// The number in a column, as f64 has it. Panics where there is none.
-    pub(crate) fn number(&self, column: &str) -> f64 {
-        self.text(column).parse().unwrap_or_else(|_| panic!("a number in {column}: {:?}", self.0))
-    }
-
-    /// The numbers in several columns.
-    pub(crate) fn numbers<const N: usize>(&self, columns: [&str; N]) -> [f64; N] {
-        columns.map(|column| self.number(column))
-    }
-}
-
-/// The rows of a CSV text without quotes.
-pub(crate) fn records(text: &str) -> Vec<Record> {
-    let mut lines = text.lines();
-    let names: Vec<&str> = lines.next().expect("a header row").split(',').collect();
-    let record = |line: &str| {
-        let fields = names.iter().zip(line.split(','));
-        Record(fields.map(|(name, field)| (name.to_string(), field.to_string())).collect())
-    };
-    lines.map(record).collect()
-}
 
 /// A case, its exact answer, and what a method answered.
 pub(crate) struct Answer {
@@ -91,30 +54,6 @@ impl Answer {
         };
         place(want).abs_diff(place(got))
     }
-}
-
-/// A number as a precision reads it.
-pub(crate) fn number(text: &str, precision: Precision) -> f64 {
-    match precision {
-        Precision::F32 => text.parse::<f32>().map(f64::from),
-        Precision::F64 => text.parse::<f64>(),
-    }
-    .unwrap_or_else(|_| panic!("`{text}` is no number"))
-}
-
-/// The numbers of a case in the order of the stage's columns, as a precision reads them; a word is its place.
-pub(crate) fn case_of(record: &Record, about: &About, precision: Precision) -> Vec<f64> {
-    let value = |column: &&str| {
-        let text = record.text(column);
-        match about.words.iter().find(|(name, _)| name == column) {
-            None => number(text, precision),
-            Some((_, words)) => {
-                let place = words.iter().position(|word| *word == text);
-                place.unwrap_or_else(|| panic!("`{text}` is none of {words:?}")) as f64
-            }
-        }
-    };
-    about.inputs.iter().map(value).collect()
 }
 
 /// Fails with the first few of the failures.
@@ -168,7 +107,7 @@ pub(crate) fn answers(file: &Path, stage: &str, method: &str, precision: Precisi
 #[test]
 fn neighbors_are_one_apart() {
     let answer = |want: &str, got: &str| {
-        let record = |t: &str| Record([("t".to_string(), t.to_string())].into());
+        let record = |t: &str| Record::with("t", t);
         Answer { want: record(want), got: record(got), place: String::new() }
     };
     for (want, got, ulps) in [

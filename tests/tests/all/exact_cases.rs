@@ -4,9 +4,8 @@
 use std::collections::BTreeMap;
 
 use stage::Precision;
-use tests::{STAGES, stage_named};
+use tests::{Bars, STAGES, stage_named};
 
-use crate::bars::Bars;
 use crate::exact::{Answer, answers, assert_none, case_file};
 
 /// A stage with exact answers, and what its method `robust` promises about them.

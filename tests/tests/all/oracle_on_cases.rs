@@ -6,38 +6,10 @@ use std::fs;
 use std::path::Path;
 
 use lab::Truth;
-use lab::oracle::{self, UnitObject, Verdict};
 use stage::Precision;
-use tests::{STAGES, stage_named};
+use tests::{Record, STAGES, case_of, exact_verdict, number, records};
 
-use crate::exact::{Record, assert_none, case_file, case_of, number, records};
-
-/// What the oracle says of a stage's case, its numbers in the order of the columns, before it is rounded.
-pub(crate) fn exact_verdict(stage: &str, case: &[f64]) -> Verdict {
-    match stage {
-        "ray-wall" => oracle::exact_wall(case.try_into().unwrap()),
-        "ray-plane" => oracle::exact_plane(case.try_into().unwrap()),
-        "ray-sphere" => oracle::exact_sphere(case.try_into().unwrap()),
-        "triangle" => oracle::exact_triangle(case.try_into().unwrap()),
-        "quadric" => {
-            let (shape, case) = shape_apart(stage, case);
-            oracle::exact_quadric(shape, case)
-        }
-        "affine" => {
-            let (shape, case) = shape_apart(stage, case);
-            oracle::exact_affine(shape, case)
-        }
-        _ => panic!("{stage} has exact answers: it needs an oracle here"),
-    }
-}
-
-/// The shape and the other numbers of a case of `quadric` or `affine`, where it stands after the ray.
-fn shape_apart<const N: usize>(stage: &str, case: &[f64]) -> (UnitObject, [f64; N]) {
-    let words = stage_named(stage).unwrap().about().words[0].1;
-    let word = words[case[6] as usize];
-    let shape = UnitObject::ALL.into_iter().find(|shape| shape.name() == word).unwrap();
-    (shape, [&case[..6], &case[7..]].concat().try_into().unwrap())
-}
+use crate::exact::{assert_none, case_file};
 
 #[test]
 fn the_oracle_agrees_with_every_exact_answer_to_the_last_bit() {

@@ -18,10 +18,9 @@ use ray_sphere::stage::RaySphere;
 use ray_wall::stage::RayWall;
 use stage::Precision;
 use stage::Precision::{F32, F64};
-use tests::stage_named;
+use tests::{Bars, stage_named};
 use triangle::stage::RayTriangle;
 
-use crate::bars::Bars;
 use crate::exact::assert_none;
 use margins::Held;
 
