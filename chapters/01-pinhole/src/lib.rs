@@ -9,6 +9,19 @@
 //! [`house`] takes the centers of the pixels, [`gambetta`] a lattice of their corners, [`csc418`] a
 //! grid from edge to edge. Each returns a struct with every number on the way to the ray, by the
 //! formula of its page. (Later chapters take the same points from [`math::Grid`].)
+//!
+//! The lowest row of a window of four by four pixels, one unit away, and its column at the right:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::Window;
+//! use pinhole::house_pixel;
+//!
+//! let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+//! let work = house_pixel::<f64>(&window, 1.0, (4, 4), (0, 3));
+//! assert_eq!(work.pixwidth, 0.5);
+//! assert_eq!(work.p, DVec3::new(0.75, -0.75, -1.0));
+//! ```
 
 pub mod csc418;
 #[cfg(feature = "stage")]

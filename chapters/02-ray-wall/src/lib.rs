@@ -7,6 +7,20 @@
 //! [`mod@notes`] is that division. [`mod@robust`] is the same, rounded once. Both return a struct with
 //! every number on the way, whose `hit(span)` is the answer. What the page leaves open (a ray that starts
 //! inside, points away, or runs along a face) is decided in [`Crossing`].
+//!
+//! A ray that goes two to the right for each one up, and a wall four ahead:
+//!
+//! ```
+//! use glam::DVec2;
+//! use math::{Ray2, Span};
+//! use ray_wall::{Wall, notes};
+//!
+//! let ray = Ray2::<f64>::new(DVec2::ZERO, DVec2::new(2.0, 1.0));
+//! let work = notes(&ray, &Wall { front: 4.0, back: 6.0 });
+//! let hit = work.hit(Span::ahead())?.expect("the wall is ahead");
+//! assert_eq!((hit.t, hit.point), (2.0, DVec2::new(4.0, 2.0)));
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 #[cfg(feature = "stage")]
 pub mod figure;

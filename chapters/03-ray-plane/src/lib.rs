@@ -6,6 +6,23 @@
 //! [`Meeting`]: [`parallel`] and apart, or within the plane, and both are n · u_r = 0, exactly.
 //!
 //! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain.
+//!
+//! Three above the ground, looking down at a slant, and level:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::{Ray3, Span};
+//! use ray_plane::{Plane, robust};
+//!
+//! let ground = Plane { point: DVec3::ZERO, normal: DVec3::Y };
+//! let down = Ray3::<f64>::new(DVec3::new(0.0, 3.0, 0.0), DVec3::new(2.0, -1.0, 0.0));
+//! let hit = robust(&down, &ground).hit(Span::ahead())?.expect("the ground is below");
+//! assert_eq!((hit.t, hit.point), (3.0, DVec3::new(6.0, 0.0, 0.0)));
+//!
+//! let level = Ray3::new(down.origin, DVec3::X);
+//! assert_eq!(robust(&level, &ground).hit(Span::ahead())?, None);
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 #[cfg(feature = "stage")]
 pub mod figure;

@@ -9,6 +9,21 @@
 //!
 //! Each method takes a [`Ray3`] and a [`Sphere`] and returns a struct with every number on the way;
 //! its `roots()` are the two crossings and its `hit(span)` the answer. [`Method`] lists them all.
+//!
+//! Straight at a sphere of radius 1, five away:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::{Ray3, Span};
+//! use ray_sphere::{Sphere, closest_approach};
+//!
+//! let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+//! let work = closest_approach(&ray, &Sphere { center: DVec3::new(0.0, 0.0, 5.0), radius: 1.0 });
+//! assert_eq!((work.t_close, work.d, work.a), (5.0, 0.0, Some(1.0)));
+//! let hit = work.hit(Span::ahead())?.expect("it is ahead");
+//! assert_eq!((hit.t, hit.normal), (4.0, -DVec3::Z));
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 pub mod batched;
 pub mod closest_approach;

@@ -14,6 +14,24 @@
 //!
 //! [`polygon::Polygon`] has any number of corners in a plane (11.3.2), and two rules for what is inside;
 //! [`mesh::Mesh`] many triangles that share theirs, and normals to shade them with (11.6).
+//!
+//! A quarter of the way along two sides:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::{Ray3, Span};
+//! use triangle::{Triangle, matrix};
+//!
+//! let triangle = Triangle::<f64> {
+//!     p1: DVec3::new(0.0, 0.0, 2.0),
+//!     p2: DVec3::new(1.0, 0.0, 2.0),
+//!     p3: DVec3::new(0.0, 1.0, 2.0),
+//! };
+//! let work = matrix(&Ray3::new(DVec3::new(0.25, 0.25, 0.0), DVec3::Z), &triangle);
+//! assert_eq!((work.alpha, work.beta, work.lambda), (0.25, 0.25, 2.0));
+//! assert!(work.hit(Span::ahead())?.is_some());
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 pub mod area;
 #[cfg(feature = "stage")]

@@ -6,6 +6,23 @@
 //! prints x² + y² = ¼(1 − z²) for the cone, which is half an ellipsoid: [`mod@printed`] shows it. [`mod@robust`]
 //! says where the tests go wrong, and asks signs first: which part is it? Then it works out one λ.
 //! [`mod@open`] is the cone of a scene file: any axis, two radii, and no caps.
+//!
+//! Down on the unit cylinder, and from the side:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::{Ray3, Span};
+//! use quadric::{Shape, robust};
+//!
+//! let down = Ray3::<f64>::new(DVec3::new(0.5, 0.0, 4.0), -DVec3::Z);
+//! let hit = robust(&down, Shape::Cylinder).hit(Span::ahead())?.expect("the cap is below");
+//! assert_eq!((hit.t, hit.normal), (3.0, DVec3::Z));
+//!
+//! let aside = Ray3::<f64>::new(DVec3::new(3.0, 0.0, 0.0), -DVec3::X);
+//! let hit = robust(&aside, Shape::Cylinder).hit(Span::ahead())?.expect("the wall is ahead");
+//! assert_eq!((hit.t, hit.normal), (2.0, DVec3::X));
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 #[cfg(feature = "stage")]
 mod explain;

@@ -8,6 +8,21 @@
 //! [`mod@notes`] does this with A⁻¹ stored, [`mod@solved`] solves A a′ = a − t and A d′ = d for every ray, and
 //! [`mod@robust`] never divides by det A before the end. All take a [`Ray3`] and a [`Deformed`], in which what depends
 //! on the object alone is worked out once.
+//!
+//! A unit sphere, stretched to twice its width:
+//!
+//! ```
+//! use affine::{Affine, Deformed, Matrix3, Object, notes};
+//! use glam::DVec3;
+//! use math::{Ray3, Span};
+//!
+//! let a = Matrix3::from_rows([[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+//! let wide = Deformed::<f64>::new(Object::Sphere, Affine { a, t: DVec3::ZERO })?;
+//! let ray = Ray3::new(DVec3::new(5.0, 0.0, 0.0), -DVec3::X);
+//! let hit = notes(&ray, &wide).hit(Span::ahead())?.expect("it is ahead");
+//! assert_eq!((hit.t, hit.normal), (3.0, DVec3::X));
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 mod deformed;
 pub mod exact_sign;

@@ -8,6 +8,21 @@
 //!
 //! The shapes are those of the chapters before, each met by the formulas of the notes or by the robust ones
 //! ([`Method`]). What puts them in their place is in [`mod@deform`].
+//!
+//! Two spheres, one behind the other:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::{Ray3, Span};
+//! use ray_sphere::Sphere;
+//! use signature::{Method, Object, Shape, first_hit};
+//!
+//! let at = |z| Sphere::<f64> { center: DVec3::new(0.0, 0.0, z), radius: 1.0 };
+//! let objects = [9.0, 5.0].map(|z| Object { id: None, shape: Shape::Sphere(at(z)) });
+//! let ray = Ray3::new(DVec3::ZERO, DVec3::Z);
+//! let first = first_hit(Method::Robust, &ray, &objects, Span::ahead()).expect("both are ahead");
+//! assert_eq!((first.object, first.lambda), (1, 4.0));
+//! ```
 
 pub mod deform;
 #[cfg(feature = "stage")]

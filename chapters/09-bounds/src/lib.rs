@@ -13,6 +13,31 @@
 //!
 //! [`mod@tree`] is the tree that one writes down, [`mod@wide`] the fast one, which nobody needs to understand who
 //! only wants to know what it answers.
+//!
+//! A row of a hundred spheres, of which a ray up meets one. How many are tried to find out?
+//!
+//! ```
+//! use bounds::{Bounded, Counts, Method};
+//! use glam::DVec3;
+//! use math::{Camera, Grid, Handedness, Ray3, Span, Window};
+//! use ray_sphere::Sphere;
+//! use signature::{Object, Scene, Shape};
+//!
+//! let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+//! let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Right, 1.0, window)?;
+//! let ball = |k| Sphere::<f64> { center: DVec3::new(3.0 * f64::from(k), 5.0, 0.0), radius: 1.0 };
+//! let objects = (0..100).map(|k| Object { id: None, shape: Shape::Sphere(ball(k)) }).collect();
+//! let scene = Scene { camera, grid: Grid::Centers, size: (64, 48), objects };
+//!
+//! let up = Ray3::new(DVec3::new(150.0, 0.0, 0.0), DVec3::Y);
+//! for (method, most) in [(Method::None, 100), (Method::Tree, 8)] {
+//!     let mut counts = Counts::default();
+//!     let first = Bounded::new(&scene, method).first_hit(&up, Span::ahead(), &mut counts);
+//!     assert_eq!(first.map(|first| (first.object, first.lambda)), Some((50, 4.0)));
+//!     assert!(counts.tests <= most);
+//! }
+//! # Ok::<(), math::Degenerate>(())
+//! ```
 
 mod all;
 pub mod around;

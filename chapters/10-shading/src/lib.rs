@@ -12,6 +12,19 @@
 //! To ask whether p̄ sees the light is to send a second ray, and there the page has a gap. p̄ is rounded: it lies a
 //! little before its surface or behind it, and from behind the surface shades itself. [`mod@start`] has the remedies
 //! that people use and the one that follows from how large the error can be.
+//!
+//! A light straight above a matte surface, seen from straight above:
+//!
+//! ```
+//! use glam::DVec3;
+//! use shading::{Material, Rgb, phong};
+//!
+//! let red = Rgb([1.0, 0.0, 0.0]);
+//! let matte = Material { color: red, ambient: 0.1, diffuse: 0.5, specular: 0.0, shininess: 32.0 };
+//! let work = phong::<f64>(&matte, red, Rgb::WHITE, DVec3::Y, DVec3::new(0.0, 7.0, 0.0), DVec3::Y);
+//! assert_eq!(work.n_dot_s, 1.0);
+//! assert_eq!(work.diffuse, Rgb([0.5, 0.0, 0.0]));
+//! ```
 
 #[cfg(feature = "stage")]
 mod explain;

@@ -11,6 +11,20 @@
 //!
 //! Only what the scene requires is modeled: see [`mod@requirements`]. And what can change nothing that anybody wants to know
 //! may be left out: see [`mod@tolerance`].
+//!
+//! From glass into air: straight through at a right angle, and not at all beyond the critical angle.
+//!
+//! ```
+//! use glam::DVec3;
+//! use whitted::{critical_angle, refract};
+//!
+//! let straight = refract::<f64>(-DVec3::Y, DVec3::Y, 1.5, 1.0);
+//! assert_eq!(straight.t, Some(-DVec3::Y));
+//!
+//! assert_eq!(critical_angle(1.5, 1.0).map(f64::round), Some(42.0));
+//! let slanted = refract::<f64>(DVec3::new(0.8, -0.6, 0.0), DVec3::Y, 1.5, 1.0);
+//! assert!(slanted.sin2_theta2 > 1.0 && slanted.t.is_none());
+//! ```
 
 #[cfg(feature = "stage")]
 mod auto;

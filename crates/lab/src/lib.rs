@@ -6,6 +6,16 @@
 //!
 //! Truth comes from [`oracle`], which derives the concepts once more, from their equations and in integers: hit
 //! or miss is a sign. No method is ever judged by another.
+//!
+//! A sphere of radius 5 around (0, 0, 13), touched by a ray up from (5, 0, 0), and missed by the next number's:
+//!
+//! ```
+//! use lab::oracle::{Verdict, exact_sphere};
+//!
+//! let up_from = |x: f64| exact_sphere([x, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 13.0, 5.0]);
+//! assert!(matches!(up_from(5.0), Verdict::Hit { .. }));
+//! assert!(matches!(up_from(5.0_f64.next_up()), Verdict::Miss("")));
+//! ```
 
 mod accuracy;
 mod angle;

@@ -10,6 +10,16 @@
 //! common: a formula written once, worked out in plain `f64`, with twice the digits, or exactly.
 //!
 //! There is no input or output here, and nothing that teaches ray tracing.
+//!
+//! A point of a ray, whose direction may have any length:
+//!
+//! ```
+//! use glam::DVec3;
+//! use math::Ray3;
+//!
+//! let ray = Ray3::<f64>::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, -2.0, 4.0));
+//! assert_eq!(ray.at(0.5), DVec3::new(1.0, 1.0, 5.0));
+//! ```
 
 mod bounded;
 mod camera;

@@ -12,6 +12,16 @@
 //! page writes it, and its value, taken from the struct that the chapter's method returned. It is
 //! made once; the terminal, `--format json`, the snapshots and the gallery all show that same list,
 //! so they cannot disagree. This crate knows no chapter and no formula.
+//!
+//! A section of it, by hand:
+//!
+//! ```
+//! use stage::Section;
+//!
+//! let mut section = Section::new("a wall four ahead", "House 4.2");
+//! section.number("t", "(front − p_x) / u_x", 2.0).note("in lengths of the direction");
+//! assert_eq!(section.steps[0].value.to_text(), "2");
+//! ```
 
 mod ask;
 mod canvas;
