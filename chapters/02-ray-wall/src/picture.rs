@@ -170,7 +170,7 @@ impl Drawing {
         for (t, anchor, color) in marks {
             let point = numbers::<R>(ray.at(t));
             let at = self.view.at(point);
-            let apart = (at.0 - self.view.at(from).0).hypot(at.1 - self.view.at(from).1);
+            let apart = View::apart(at, self.view.at(from));
             if !self.is_seen(point) || !Span::ahead().contains(t) || apart < 20.0 {
                 continue;
             }

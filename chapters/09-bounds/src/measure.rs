@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use lab::scenes::{file_named, pixels};
 use lab::{Draw, Effort, Nanoseconds, Pass, Progress, Runner, asked_for, time};
-use math::{Camera, Grid, Handedness, Real, Window};
+use math::{Camera, Grid, Handedness, Real, Window, portable};
 use ray_sphere::Sphere;
 use signature::stage::{built_in, fault, read};
 use signature::{Object, Scene, Shape, from_file};
@@ -131,7 +131,7 @@ fn of_file(
 /// from the front.
 fn scene_of<R: Real>(name: &str, count: usize, seed: u64) -> Result<Scene<R>, Error> {
     let mut draw = Draw::new(seed, name, Precision::F64);
-    let radius = R::round_from(0.55 / (count as f64).cbrt());
+    let radius = R::round_from(0.55 / portable::cbrt(count as f64));
     let mut number = || R::round_from(draw.uniform(-1.0, 1.0));
     let objects = (0..count).map(|object| {
         let center = R::vec3(number(), number(), number());

@@ -3,6 +3,7 @@
 use lab::plot::{LinePlot, Series, lines_svg};
 use lab::scenes;
 use lab::table::{short, three_digits, under};
+use math::portable;
 use stage::{Drawing, Field, Precision, Record, Sheet, TradeAsk, Traded};
 
 use crate::measure::{Entry, Measured};
@@ -145,9 +146,10 @@ fn crossovers(series: &[Series]) -> Vec<Crossover> {
             return Some(Crossover { method, objects, ns, crosses: false });
         };
         // the logarithm of the ratio of the times is 0 between the two
-        let (left, right) = ((ns_before / plain_before).ln(), (ns / plain).ln());
+        let (left, right) = (portable::ln(ns_before / plain_before), portable::ln(ns / plain));
         let share = left / (left - right);
-        let between = |a: f64, b: f64| (a.ln() + (b.ln() - a.ln()) * share).exp();
+        let between =
+            |a: f64, b: f64| portable::exp(portable::ln(a) + (portable::ln(b) - portable::ln(a)) * share);
         let (objects, ns) = (between(before, objects), between(ns_before, ns));
         Some(Crossover { method, objects, ns, crosses: true })
     };

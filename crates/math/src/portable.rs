@@ -32,6 +32,11 @@ pub fn pow(x: f64, y: f64) -> f64 {
     libm::pow(x, y)
 }
 
+/// The cube root of `x`.
+pub fn cbrt(x: f64) -> f64 {
+    libm::cbrt(x)
+}
+
 /// The sine of `x` radians.
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)
@@ -62,6 +67,11 @@ mod tests {
         assert_eq!(atan2(-1.0, 0.0), -FRAC_PI_2);
         assert_eq!((atan2(0.0, -1.0), atan2(-0.0, -1.0)), (PI, -PI));
         assert_eq!(atan2(0.0, 0.0), 0.0);
+    }
+
+    #[test]
+    fn cube_roots_by_hand() {
+        assert_eq!((cbrt(27.0), cbrt(-0.125)), (3.0, -0.5));
     }
 
     #[test]

@@ -37,6 +37,12 @@ impl View {
         ((x - self.x) / self.scale, (self.y - y) / self.scale)
     }
 
+    /// How far two places of the canvas are apart.
+    pub fn apart(a: (f32, f32), b: (f32, f32)) -> f32 {
+        let (x, y) = (a.0 - b.0, a.1 - b.1);
+        (x * x + y * y).sqrt()
+    }
+
     /// A length of the plane in drawing units.
     pub fn length(&self, length: f64) -> f32 {
         (self.scale * length) as f32

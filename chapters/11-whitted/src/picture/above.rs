@@ -115,13 +115,13 @@ impl From {
     fn depth<R: Real>(&self, canvas: &mut Canvas, node: &Node<R>, taken: &mut Vec<(f32, f32)>) {
         let Some((start, end)) = self.stretch(node) else { return };
         let (a, b) = (self.view.at(start), self.view.at(end));
-        let length = (a.0 - b.0).hypot(a.1 - b.1);
+        let length = View::apart(a, b);
         if length < 2.0 * LETTERS {
             return;
         }
         let aside = 0.8 * LETTERS / length;
         let middle = ((a.0 + b.0) / 2.0 + (b.1 - a.1) * aside, (a.1 + b.1) / 2.0 - (b.0 - a.0) * aside);
-        if taken.iter().any(|other| (middle.0 - other.0).hypot(middle.1 - other.1) < LETTERS) {
+        if taken.iter().any(|other| View::apart(middle, *other) < LETTERS) {
             return;
         }
         taken.push(middle);
