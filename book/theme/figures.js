@@ -58,7 +58,7 @@ async function start(box) {
     drawing.addEventListener("keydown", event => {
         const handle = event.target.closest("[data-handle]");
         const [dx, dy] = ARROWS[event.key] ?? [0, 0];
-        if (!handle || (dx === 0 && dy === 0)) return;
+        if (!handle || (dx === 0 && dy === 0) || event.altKey || event.ctrlKey || event.metaKey) return;
         const step = event.shiftKey ? FINE : COARSE;
         chapter.nudge(Number(handle.dataset.handle), dx * step, dy * step);
         show();

@@ -6,7 +6,7 @@
 
 mod values;
 
-use stage::figure::{Dial, Figure, hundredths};
+use stage::figure::{Dial, Figure};
 use stage::{Sketch, escaped};
 
 pub use values::values;
@@ -26,11 +26,11 @@ impl<F: Figure> Shown<F> {
         self.figure.drag(handle, place);
     }
 
-    /// Moves a handle by so much of the plane's units.
+    /// Moves a handle by so much of the plane's units. Along an axis by 0 it stays where it is, to the last digit.
     pub fn nudge(&mut self, handle: usize, dx: f64, dy: f64) {
         if let Some(handle_is) = self.figure.handles().get(handle) {
             let (x, y) = handle_is.place;
-            self.figure.drag(handle, (hundredths(x + dx), hundredths(y + dy)));
+            self.figure.drag(handle, (x + dx, y + dy));
         }
     }
 

@@ -10,22 +10,29 @@ pub fn values<F: Figure>(figure: &F, method: usize) -> String {
     let mut text = format!("<h4>The steps of {name}</h4>");
     match (figure.steps::<f64>(method), figure.steps::<f32>(method)) {
         (Ok(in_f64), Ok(in_f32)) => text += &steps(&in_f64, &in_f32),
-        (Err(why), _) | (_, Err(why)) => text += &no_answer(why),
+        (Err(why), Err(_)) => text += &no_answer("", why),
+        // what is decided exactly is decided of the numbers as they are, and those of f32 are others
+        (Ok(in_f64), Err(why)) => {
+            text += &(steps(&in_f64, &Section::new("", "")) + &no_answer(" in f32", why))
+        }
+        (Err(why), Ok(in_f32)) => {
+            text += &(no_answer(" in f64", why) + &steps(&Section::new("", ""), &in_f32))
+        }
     }
     text + "<h4>What each method answers</h4>" + &answers(figure)
 }
 
-fn no_answer(why: Degenerate) -> String {
-    format!("<p>There is no answer: {}.</p>", escaped(&why.to_string()))
+fn no_answer(precision: &str, why: Degenerate) -> String {
+    format!("<p>There is no answer{precision}: {}.</p>", escaped(&why.to_string()))
 }
 
 /// The rows of both precisions side by side. Where they part, each says its own: a digit more can be another
 /// verdict, and other steps follow.
 fn steps(in_f64: &Section, in_f32: &Section) -> String {
     let mut rows = String::new();
-    let both = in_f64.steps.len().max(in_f32.steps.len());
+    let most = in_f64.steps.len().max(in_f32.steps.len());
     let mut parted = false;
-    for place in 0..both {
+    for place in 0..most {
         let (wide, narrow) = (in_f64.steps.get(place), in_f32.steps.get(place));
         let is_same =
             matches!((wide, narrow), (Some(a), Some(b)) if a.symbol == b.symbol && a.formula == b.formula);
@@ -49,8 +56,12 @@ fn steps(in_f64: &Section, in_f32: &Section) -> String {
             rows += &row([&step.symbol, &step.formula], ["", &step.value.to_text()], &step.note);
         }
     }
-    let remark =
-        if parted { "<p>The two precisions decide otherwise, and go on by other steps.</p>" } else { "" };
+    let both = !in_f64.steps.is_empty() && !in_f32.steps.is_empty();
+    let remark = if parted && both {
+        "<p>The two precisions decide otherwise, and go on by other steps.</p>"
+    } else {
+        ""
+    };
     table("steps", ["symbol", "formula", "f64", "f32", "what it says"], &rows) + remark
 }
 

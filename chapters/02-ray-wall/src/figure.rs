@@ -49,7 +49,8 @@ impl Figure for RayAndWall {
     }
 
     fn drag(&mut self, handle: usize, to: Place) {
-        let (x, y) = to_hundredths(to);
+        let Some(Handle { place, .. }) = self.handles().into_iter().nth(handle) else { return };
+        let (x, y) = to_hundredths(place, to);
         match handle {
             0 => (self.p_r, self.tip) = moved((self.p_r, self.tip), (x, y)),
             1 => self.tip = (x, y),

@@ -61,7 +61,8 @@ impl Figure for RayAndSphere {
     }
 
     fn drag(&mut self, handle: usize, to: Place) {
-        let (z, y) = to_hundredths(to);
+        let Some(Handle { place, .. }) = self.handles().into_iter().nth(handle) else { return };
+        let (z, y) = to_hundredths(place, to);
         match handle {
             0 => (self.p_r, self.tip) = moved((self.p_r, self.tip), (z, y)),
             1 => self.tip = (z, y),

@@ -55,10 +55,10 @@ impl Figure for RayAndTriangle {
 
     fn drag(&mut self, handle: usize, to: Place) {
         if handle == 0 {
-            self.seen = to_hundredths(to);
+            self.seen = to_hundredths(self.seen, to);
         } else if let Some(corner) = self.corners.get_mut(handle - 1) {
-            let [_, _, z] = *corner;
-            let (x, y) = to_hundredths((-z * to.0, -z * to.1));
+            let [x, y, z] = *corner;
+            let (x, y) = to_hundredths((x, y), (-z * to.0, -z * to.1));
             *corner = [x, y, z];
         }
     }

@@ -77,7 +77,8 @@ impl Figure for Squashed {
     }
 
     fn drag(&mut self, handle: usize, to: Place) {
-        let (x, y) = to_hundredths(to);
+        let Some(Handle { place, .. }) = self.handles().into_iter().nth(handle) else { return };
+        let (x, y) = to_hundredths(place, to);
         match handle {
             0 => {
                 let [first, second] = [self.first, self.second].map(|tip| moved((self.t, tip), (x, y)).1);

@@ -101,12 +101,28 @@ pub fn at_z_0<R: Real>((x, y): Place) -> R::Vec3 {
     R::vec3(R::round_from(x), R::round_from(y), R::from(0.0))
 }
 
-/// An arrow from one place to another, moved so that it begins elsewhere.
+/// An arrow from one place to another, moved so that it begins elsewhere. Along an axis on which it is not moved its tip
+/// stays as it is.
 pub fn moved((from, tip): (Place, Place), to: Place) -> (Place, Place) {
-    (to, to_hundredths((to.0 + tip.0 - from.0, to.1 + tip.1 - from.1)))
+    let along = |from: f64, tip: f64, to: f64| if to == from { tip } else { hundredths(to + tip - from) };
+    (to, (along(from.0, tip.0, to.0), along(from.1, tip.1, to.1)))
 }
 
-/// A place to hundredths.
-pub fn to_hundredths((x, y): Place) -> Place {
-    (hundredths(x), hundredths(y))
+/// Where a handle at `was` is dragged to: to hundredths, but for a coordinate that stays what it was.
+pub fn to_hundredths(was: Place, to: Place) -> Place {
+    let along = |was: f64, to: f64| if to == was { was } else { hundredths(to) };
+    (along(was.0, to.0), along(was.1, to.1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_moved_keeps_its_digits() {
+        assert_eq!(to_hundredths((-0.125, 0.125), (-0.125, 0.2251)), (-0.125, 0.23));
+        let arrow = ((1.0, 2.0), (1.125, 2.125));
+        assert_eq!(moved(arrow, (1.0, 3.0)), ((1.0, 3.0), (1.125, 3.13)));
+        assert_eq!(moved(arrow, (1.0, 2.0)), arrow);
+    }
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::View;
+use crate::figure::hundredths;
 
 /// The frame of every sketch, in drawing units: columns and rows.
 pub const SKETCH: (u32, u32) = (480, 320);
@@ -182,11 +183,12 @@ impl Sketch {
         let (x, y) = self.at(place);
         let within = |x: f64, most: u32| tenths(x.max(0.0).min(f64::from(most)));
         let (x, y, name) = (within(x, SKETCH.0), within(y, SKETCH.1), escaped(name));
-        let (now, other) = place;
+        let [now, other] = [place.0, place.1].map(hundredths);
+        let [(least, _), (most, _)] = [(0.0, 0.0), (f64::from(SKETCH.0), 0.0)].map(|end| self.plane(end));
         self.add(format_args!(
             "<g class=\"handle\" data-handle=\"{number}\" tabindex=\"0\" role=\"slider\" \
              aria-label=\"{name}\" \
-             aria-valuenow=\"{now}\" aria-valuetext=\"({now}, {other})\" transform=\"translate({x} {y})\">\
+             aria-valuemin=\"{least}\" aria-valuemax=\"{most}\" aria-valuenow=\"{now}\" aria-valuetext=\"({now}, {other})\" transform=\"translate({x} {y})\">\
              <circle class=\"reach\" r=\"16\"/><circle class=\"grip\" r=\"6\"/></g>"
         ));
         self
