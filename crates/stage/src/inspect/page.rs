@@ -146,8 +146,8 @@ keys move by a pixel, with Shift by ten.</p>
 <p>{caption}</p>
 </section>
 <section id="steps" aria-label="Steps" aria-live="polite"><noscript>The steps of a pixel are unpacked by a
-script, and scripts are off. <code>{name} show --pixel {col},{row} --size {width}x{height}</code> prints
-them.</noscript></section>
+script, and scripts are off. <code>cargo run -p {name} -- --method {method} --precision {precision}
+--size {width}x{height} --pixel {col},{row}</code>, with what else this page was made with, prints them.</noscript></section>
 </main>
 <script>
 {SCRIPT}</script>
