@@ -20,5 +20,8 @@ pub(crate) fn markdown(root: &Path, chapter: &str) -> Result<String, String> {
         "cargo run --release -- exercise start {} --into DIR\ncargo run --release -- check DIR",
         first.name
     );
-    Ok(format!("{table}\n```sh\n{start}\n```\n"))
+    let then = "`DIR` is then a cargo project of its own. Its README names the files with the holes, each of which asks a \
+                question; `cargo run` in it prints your values up to the first that is wrong, and says what to do \
+                next; `cargo test` tries each property by itself.";
+    Ok(format!("{table}\n```sh\n{start}\n```\n\n{then}\n"))
 }

@@ -74,9 +74,12 @@ fn has_target(root: &Path) -> bool {
 fn build(root: &Path) -> Result<PathBuf, String> {
     let own = || root.join("target");
     let folder = std::env::var_os("CARGO_TARGET_DIR").map_or_else(own, PathBuf::from).join("figures");
+    let folder = std::path::absolute(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let mut cargo = Command::new("cargo");
     cargo.args(["build", "--locked", "--quiet", "--profile", "figures", "--target", TARGET]);
     cargo.args(["-p", "figures", "--examples", "--target-dir"]).arg(&folder).current_dir(root);
+    // flags for this machine are none for a browser
+    cargo.env_remove("RUSTFLAGS");
     let output = cargo.output().map_err(|error| format!("cargo does not start: {error}"))?;
     if !output.status.success() {
         return Err(format!("the figures do not build:\n{}", String::from_utf8_lossy(&output.stderr)));

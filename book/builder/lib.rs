@@ -5,6 +5,7 @@
 //! ```text
 //! {{code chapters/04-ray-sphere/src/closest_approach.rs along}}      items of a source file
 //! {{show ray-sphere --pixel 170,300 | Both roots}}                   a command, and what it prints, or a section of it
+//! {{text book/src/same-bits.txt}}                                   a file as it stands
 //! {{picture ray-sphere}}                                             the picture of a stage, drawn
 //! {{figure ray-sphere}}                                              the interactive figure of a chapter
 //! {{trade ray-sphere grazing | method t_ulp_max}}                   rows and columns of what `trade` measured
@@ -13,7 +14,7 @@
 //!
 //! and with mathematics between dollar signs. Nothing is typed twice: [`build`] fails, with the page and the line, where
 //! an item is missing, where a stage prints something else than its accepted snapshot, where a block of code comes from
-//! nowhere, where a test is named that there is not, and where a link leads nowhere.
+//! nowhere, where a test is named that there is not, where a row of the coverage of the notes names no place or no test, and where a link leads nowhere.
 
 #![forbid(unsafe_code)]
 
@@ -24,7 +25,6 @@ mod fault;
 mod figures;
 mod links;
 mod math;
-mod named;
 mod page;
 mod pictures;
 mod shown;

@@ -1,9 +1,11 @@
 //! One page: its lines in double braces filled, its mathematics marked, its blocks of code judged.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use cutter::named::Sources;
+
 use crate::figures::Figures;
-use crate::named::Sources;
 use crate::shown::Shown;
 use crate::{Fault, code, exercises, math, pictures, shown, trade};
 
@@ -13,7 +15,7 @@ pub(crate) struct Page {
     /// The Markdown.
     pub text: String,
     /// The stages whose pictures it shows.
-    pub pictures: Vec<String>,
+    pub pictures: BTreeSet<String>,
 }
 
 /// What the lines of a page are filled from.
@@ -51,7 +53,9 @@ impl Filler<'_> {
                     faults.extend(command(line).err().map(wrong));
                 }
                 page.text += line;
-            } else if let Some(words) = line.strip_prefix("{{").and_then(|line| line.strip_suffix("}}")) {
+            } else if let Some(words) =
+                line.trim().strip_prefix("{{").and_then(|line| line.strip_suffix("}}"))
+            {
                 match self.filled(words, &mut page.pictures) {
                     Ok(text) => page.text += &text,
                     Err(what) => faults.push(wrong(what)),
@@ -69,6 +73,14 @@ impl Filler<'_> {
                 if line.starts_with('|') && line.contains("::") {
                     let cell = line.trim_end_matches([' ', '|']).rsplit('|').next().unwrap_or_default();
                     faults.extend(self.sources.faults(cell).into_iter().map(wrong));
+                    if file.ends_with("coverage.md") {
+                        faults.extend(uncovered(line, self.sources.name_a_test(cell)).map(wrong));
+                    }
+                }
+                if line.contains("{{") && !line.contains("`{{") {
+                    faults.push(wrong(
+                        "what is in double braces is fetched where it has a line of its own".into(),
+                    ));
                 }
                 page.text += &math::line(line);
             }
@@ -81,7 +93,7 @@ impl Filler<'_> {
     }
 
     /// What a line in double braces fetches.
-    fn filled(&self, line: &str, drawn: &mut Vec<String>) -> Result<String, String> {
+    fn filled(&self, line: &str, drawn: &mut BTreeSet<String>) -> Result<String, String> {
         let mut parts = line.split('|').map(str::trim);
         let words: Vec<&str> = parts.next().unwrap_or_default().split_whitespace().collect();
         let titles: Vec<&str> = parts.collect();
@@ -90,13 +102,18 @@ impl Filler<'_> {
                 let text = code::items(self.root, file, names)?;
                 Ok(format!("```rust,ignore\n{text}```\n<p class=\"from\">from <code>{file}</code></p>\n"))
             }
+            ["text", file] => {
+                let text = std::fs::read_to_string(self.root.join(file))
+                    .map_err(|error| format!("{file} cannot be read: {error}"))?;
+                Ok(format!("```text\n{text}```\n"))
+            }
             ["show", words @ ..] => self.shown.markdown(self.root, words, &titles),
             ["picture", name] => {
-                drawn.push(name.to_string());
+                drawn.insert(name.to_string());
                 pictures::markdown(name)
             }
             ["figure", name] => {
-                drawn.push(name.to_string());
+                drawn.insert(name.to_string());
                 self.figures.markdown(name)
             }
             ["trade", stage, regime, best @ ..] if best.is_empty() || best == ["pareto"] => {
@@ -105,7 +122,7 @@ impl Filler<'_> {
             }
             ["exercises", chapter] => exercises::markdown(self.root, chapter),
             _ => Err(format!(
-                "nothing is known of {{{{{line}}}}}; there are {{{{code FILE NAME…}}}}, {{{{show STAGE [FLAGS]… [| TITLE]…}}}}, \
+                "nothing is known of {{{{{line}}}}}; there are {{{{code FILE NAME…}}}}, {{{{text FILE}}}}, {{{{show STAGE [FLAGS]… [| TITLE]…}}}}, \
                  {{{{picture STAGE}}}}, {{{{figure STAGE}}}}, {{{{trade STAGE REGIME [pareto] | COLUMN…}}}} and {{{{exercises STAGE}}}}"
             )),
         }
@@ -115,6 +132,14 @@ impl Filler<'_> {
 /// How many bars a row of a table has between its cells and around them; `None` where a line is no row.
 fn bars_of(line: &str) -> Option<usize> {
     line.starts_with('|').then(|| line.replace("\\|", "").matches('|').count())
+}
+
+/// What a row of the coverage of the notes lacks: a place in the book, a test.
+fn uncovered(row: &str, has_test: bool) -> Option<String> {
+    if !row.contains(".md#") {
+        return Some("this row names no place in the book".into());
+    }
+    (!has_test).then(|| "this row names no test".into())
 }
 
 /// What is wrong with a block of code in this language: code of ours is fetched, not typed.
@@ -130,7 +155,12 @@ fn from_nowhere(language: &str) -> Option<String> {
 fn command(line: &str) -> Result<(), String> {
     let line = line.split(" #").next().unwrap_or_default().split(" > ").next().unwrap_or_default();
     let words: Vec<&str> = line.split_whitespace().collect();
-    let ["cargo", "run", words @ ..] = words.as_slice() else { return Ok(()) };
+    let settings = words.iter().take_while(|word| is_setting(word)).count();
+    let words = match &words[settings..] {
+        ["cargo", "run", words @ ..] => words,
+        ["cargo", "test", words @ ..] => return packages_are_there(words),
+        _ => return Ok(()),
+    };
     let own = words.iter().position(|word| *word == "--").unwrap_or(words.len());
     let (cargo, arguments) = (&words[..own], words.get(own + 1..).unwrap_or_default());
     let package = cargo.iter().position(|word| *word == "-p").and_then(|at| cargo.get(at + 1));
@@ -142,12 +172,41 @@ fn command(line: &str) -> Result<(), String> {
                 .map(drop)
                 .or_else(|usage| if usage.exit_code() == 0 { Ok(()) } else { Err(usage.to_string()) })
         }
-        Some(&"book") | Some(&"against-obvhs") => Ok(()),
+        Some(&"book") if arguments.is_empty() || matches!(arguments, ["--out", _]) => Ok(()),
+        Some(&"against-obvhs") => Ok(()),
         // what a loop of the shell goes through
         Some(name) if name.starts_with('$') => Ok(()),
         Some(name) if arguments.contains(&"--help") => shown::named(name).map(drop),
         Some(name) => shown::parsed(shown::named(name)?, arguments).map(drop),
     }
+}
+
+/// `NAME=value` before a command.
+fn is_setting(word: &str) -> bool {
+    let name = word.split('=').next().unwrap_or_default();
+    word.contains('=')
+        && !name.is_empty()
+        && name.chars().all(|sign| sign.is_ascii_uppercase() || sign == '_')
+}
+
+/// Whether the packages that a `cargo test` names are the project's.
+fn packages_are_there(words: &[&str]) -> Result<(), String> {
+    let ours = [
+        "math",
+        "lab",
+        "stage",
+        "scene-file",
+        "cutter",
+        "exercise",
+        "homework",
+        "attempts",
+        "workbench",
+        "tests",
+        "book",
+    ];
+    let named = words.windows(2).filter(|pair| pair[0] == "-p").map(|pair| pair[1]);
+    let mut others = named.filter(|name| !ours.contains(name) && shown::named(name).is_err());
+    others.next().map_or(Ok(()), |name| Err(format!("there is no package {name}")))
 }
 
 /// Where the pages are, as seen from the root.
@@ -177,14 +236,15 @@ mod tests {
             page.text
         );
         assert!(page.text.contains("from <code>crates/math/src/span.rs</code>"));
-        assert_eq!(page.pictures, ["ray-wall"]);
+        assert_eq!(page.pictures, BTreeSet::from(["ray-wall".to_string()]));
     }
 
     #[test]
     fn every_fault_has_its_line() {
         let text = "{{code crates/math/src/span.rs Spam}}\n{{shoe ray-wall}}\n```rust\nlet x = 1;\n```\n\
                     ```sh\ncargo run -p ray-wall -- --metod x\ncargo run -p ray-ball\ncargo run -- lost\n```\n\
-                    | 1 | `ray-wall`, `notes::tests::no_such_test` |\n| |z| | 2 |\n";
+                    | 1 | `ray-wall`, `notes::tests::no_such_test` |\n| |z| | 2 |\n\n- {{picture ray-wall}}\n\
+                    ```sh\ncargo test -p ray-ball\nSEED=7 cargo run -p ray-wall -- --metod x\n```\n";
         let faults = fill(text).unwrap_err();
         let starts =
             ["a.md:1: ", "a.md:2: nothing is known of {{shoe ray-wall}}", "a.md:3: Rust that nobody runs"];
@@ -194,12 +254,24 @@ mod tests {
             "a.md:9: ",
             "a.md:11: `notes::tests::no_such_test`",
             "a.md:12: a row with 5 bars in a table of 3",
+            "a.md:14: what is in double braces",
+            "a.md:16: there is no package ray-ball",
+            "a.md:17: ",
         ];
         let all: Vec<&str> = starts.into_iter().chain(more).collect();
         assert_eq!(faults.len(), all.len(), "{faults:#?}");
         for (fault, start) in faults.iter().zip(all) {
             assert!(fault.starts_with(start), "{fault}");
         }
+    }
+
+    #[test]
+    fn a_row_of_the_coverage_has_a_place_and_a_test() {
+        let row = "| Eq. 4.2 | [03](ray-plane.md#equation-42) | `notes::notes` |";
+        assert_eq!(uncovered(row, true), None);
+        assert_eq!(uncovered(row, false).as_deref(), Some("this row names no test"));
+        let nowhere = "| Eq. 4.2 | [03](ray-plane.md) | `notes::notes` |";
+        assert_eq!(uncovered(nowhere, true).as_deref(), Some("this row names no place in the book"));
     }
 
     #[test]

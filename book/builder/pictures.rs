@@ -1,8 +1,9 @@
 //! The pictures of the stages, as the stages draw them.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
-use stage::{Ask, write_picture};
+use stage::{Ask, escaped, write_picture};
 
 use crate::shown;
 
@@ -20,7 +21,7 @@ pub(crate) fn markdown(name: &str) -> Result<String, String> {
 }
 
 /// Draws the pictures of these stages into a folder, which is made.
-pub(crate) fn draw(names: &[String], folder: &Path) -> Result<(), String> {
+pub(crate) fn draw(names: &BTreeSet<String>, folder: &Path) -> Result<(), String> {
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for name in names {
         let shown = shown::named(name)?.show(&Ask::default()).map_err(|error| error.to_string())?;
@@ -28,9 +29,4 @@ pub(crate) fn draw(names: &[String], folder: &Path) -> Result<(), String> {
         write_picture(&shown.picture, &place).map_err(|error| error.to_string())?;
     }
     Ok(())
-}
-
-/// A text inside an element or a quoted attribute.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

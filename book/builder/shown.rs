@@ -128,6 +128,35 @@ mod tests {
         assert!(error(&["ray-wall"], &["Nothing"]).starts_with("ray-wall prints no section “Nothing”"));
     }
 
+    /// Everything that the pages show of the stages, as somebody has read it beside the text:
+    /// `INSTA_UPDATE=always cargo test -p book` accepts what came.
+    #[test]
+    fn what_the_pages_show_was_accepted() {
+        let (shown, mut text) = (Shown::default(), String::new());
+        let entries = std::fs::read_dir(root().join("book/src")).unwrap().map(|entry| entry.unwrap().path());
+        let mut pages: Vec<_> =
+            entries.filter(|path| path.extension().is_some_and(|it| it == "md")).collect();
+        pages.sort();
+        for page in pages {
+            let content = std::fs::read_to_string(&page).unwrap();
+            let asked = content.lines().filter_map(|line| line.strip_prefix("{{show ")?.strip_suffix("}}"));
+            for line in asked {
+                let mut parts = line.split('|').map(str::trim);
+                let words: Vec<&str> = parts.next().unwrap().split_whitespace().collect();
+                let titles: Vec<&str> = parts.collect();
+                let name = page.file_name().unwrap().to_string_lossy();
+                let answer = shown.markdown(root(), &words, &titles).unwrap();
+                text += &format!("=== {name}: {line}\n{answer}\n");
+            }
+        }
+        assert!(text.matches("=== ").count() > 80);
+        let mut settings = insta::Settings::clone_current();
+        settings.set_snapshot_path("../snapshots");
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| insta::assert_snapshot!("shown", text));
+    }
+
     #[test]
     fn a_stale_snapshot_is_found() {
         let folder = tempfile::tempdir().unwrap();

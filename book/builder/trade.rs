@@ -27,12 +27,23 @@ pub(crate) fn markdown(
     let of_it = |row: &&Vec<&str>| {
         row.get(of_regime) == Some(&regime) && (!best || row.get(of_front) == Some(&"true"))
     };
-    let wanted: Vec<&Vec<&str>> = rows.iter().filter(of_it).collect();
+    let mut wanted: Vec<&Vec<&str>> = rows.iter().filter(of_it).collect();
+    if best && let Some(time) = header.iter().position(|column| *column == "ns_per_ray") {
+        // a front is walked from the fastest on
+        let time_of =
+            |row: &&Vec<&str>| row.get(time).and_then(|field| field.parse().ok()).unwrap_or(f64::NAN);
+        wanted.sort_by(|a, b| time_of(a).total_cmp(&time_of(b)));
+    }
     if wanted.is_empty() {
         let mut there: Vec<&str> = rows.iter().filter_map(|row| row.get(of_regime).copied()).collect();
         there.dedup();
         return Err(format!("{file} has no regime {regime}; it has {}", there.join(", ")));
     }
+    // the same number of cases in every row, as a rule: what a count is out of
+    let mut cases: Vec<&str> =
+        wanted.iter().filter_map(|row| row.get(place("cases").ok()?).copied()).collect();
+    cases.dedup();
+    let each = if let [cases] = cases[..] { format!(", {cases} cases each") } else { String::new() };
     let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
     let mut table = line(columns.iter().map(|name| name.replace('_', " ")).collect());
     table += &line(columns.iter().map(|_| "---".to_string()).collect());
@@ -40,7 +51,7 @@ pub(crate) fn markdown(
         table += &line(places.iter().map(|&at| rounded(row.get(at).copied().unwrap_or_default())).collect());
     }
     let link = format!("<a href=\"trade/{stage}.csv\">{stage}.csv</a>");
-    Ok(format!("{table}\n<p class=\"from\"><code>trade</code>, {regime}: from {link}</p>\n"))
+    Ok(format!("<p class=\"from\"><code>trade</code>, {regime}{each}: from {link}</p>\n\n{table}\n"))
 }
 
 /// A number with four digits that count: a table is read, the file beside it has them all.
@@ -55,6 +66,8 @@ fn rounded(field: &str) -> String {
             };
             digits.replace('-', "−")
         }
+        // so many digits push a table out of its page
+        Ok(number) if number.is_finite() && number.abs() >= 1e9 => format!("{number:.3e}"),
         _ => field.replace("true", "yes").replace("false", ""),
     }
 }
@@ -71,12 +84,18 @@ mod tests {
     fn rows_of_a_regime_and_columns_as_asked() {
         let table = markdown(root(), "ray-wall", "ordinary", &["method", "wrong_decisions"], false).unwrap();
         let lines: Vec<&str> = table.lines().collect();
-        assert_eq!(lines[..2], ["| method | wrong decisions |", "| --- | --- |"]);
-        assert!(lines[2].starts_with("| notes | ") || lines[2].starts_with("| robust | "), "{table}");
-        assert!(
-            table.contains("<code>trade</code>, ordinary: from <a href=\"trade/ray-wall.csv\">"),
-            "{table}"
-        );
+        assert_eq!(lines[2..4], ["| method | wrong decisions |", "| --- | --- |"]);
+        assert!(lines[4].starts_with("| notes | ") || lines[4].starts_with("| robust | "), "{table}");
+        let title = "<code>trade</code>, ordinary, 1000000 cases each: from <a href=\"trade/ray-wall.csv\">";
+        assert!(lines[0].contains(title), "{table}");
+    }
+
+    #[test]
+    fn a_front_is_walked_from_the_fastest_on() {
+        let table = markdown(root(), "ray-sphere", "grazing", &["ns_per_ray"], true).unwrap();
+        let times: Vec<f64> =
+            table.lines().skip(4).filter_map(|line| line.trim_matches(['|', ' ']).parse().ok()).collect();
+        assert!(times.len() > 3 && times.is_sorted(), "{table}");
     }
 
     #[test]
@@ -89,8 +108,22 @@ mod tests {
 
     #[test]
     fn numbers_have_four_digits() {
-        let all = ["12.3456", "1234567.25", "0.00001234", "7", "inf", "", "robust", "true", "-0.51234"]
-            .map(rounded);
-        assert_eq!(all, ["12.35", "1.235e6", "1.234e−5", "7", "inf", "", "robust", "yes", "−0.5123"]);
+        let all = [
+            "12.3456",
+            "1234567.25",
+            "0.00001234",
+            "7",
+            "4600000000000000000",
+            "inf",
+            "",
+            "robust",
+            "true",
+            "-0.51234",
+        ]
+        .map(rounded);
+        assert_eq!(
+            all,
+            ["12.35", "1.235e6", "1.234e−5", "7", "4.600e18", "inf", "", "robust", "yes", "−0.5123"]
+        );
     }
 }

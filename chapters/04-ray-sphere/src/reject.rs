@@ -91,3 +91,45 @@ fn conclusion(series: &[Series]) -> String {
         100.0 * (1.0 - at(house, 0) / at(house, last)),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: House 10 ns where none hits, 30 where half do, 20 where all do; the quadratic always 15.
+    #[test]
+    fn what_is_saved_is_said() {
+        let series = |name: &str, times: [f64; 3]| {
+            let time = |place: usize| {
+                if place == 5 {
+                    times[1]
+                } else if place < 5 {
+                    times[0]
+                } else {
+                    times[2]
+                }
+            };
+            let points =
+                SHARES.iter().enumerate().map(|(place, &share)| (f64::from(share), time(place), 0.0, 0.0));
+            Series { name: name.to_string(), points: points.collect() }
+        };
+        let said = conclusion(&[series(OF_UNIT, [10.0, 30.0, 20.0]), series("quadratic", [15.0; 3])]);
+        assert!(
+            said.contains("10.0 and 15.0 ns a ray where none hits, 30.0 and 15.0 ns where half do"),
+            "{said}"
+        );
+        assert!(said.contains("saves House 50 %") && said.contains("at 50 % hits he is slowest"), "{said}");
+    }
+
+    #[test]
+    fn as_many_rays_hit_as_are_asked_for() {
+        for (share, range) in [(0, 0..=0), (50, RAYS * 45 / 100..=RAYS * 55 / 100), (100, RAYS..=RAYS)] {
+            let cases = cases(7, share);
+            let hits = cases.iter().filter(|case| {
+                let (ray, sphere) = question(**case);
+                matches!(Method::Robust.work(&ray, &sphere).hit(Span::ahead()), Ok(Some(_)))
+            });
+            assert!(range.contains(&hits.count()), "{share} %");
+        }
+    }
+}

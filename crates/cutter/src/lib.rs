@@ -18,6 +18,23 @@
 //! What earlier chapters taught, and earlier exercises of the chapter, comes along solved; what later
 //! exercises of the chapter ask is hidden. No comment of a hand-out has a formula that is asked for: [`formulas`] finds
 //! them.
+//!
+//! A region, and what a student sees of it:
+//!
+//! ```
+//! use std::collections::BTreeMap;
+//!
+//! use cutter::cut::{Filling, cut};
+//!
+//! let text = "\
+//! // exercise twice: What is x and x again?
+//! let y: f64 = x + x;
+//! // end twice
+//! ";
+//! let fillings = BTreeMap::from([("twice".to_string(), Filling::Question)]);
+//! assert_eq!(cut(text, &fillings)?, "let y: f64 = todo!(\"What is x and x again?\");\n");
+//! # Ok::<(), String>(())
+//! ```
 
 pub mod cut;
 pub mod docs;
@@ -26,6 +43,7 @@ pub mod given;
 pub mod hand_out;
 pub mod manifest;
 pub mod modules;
+pub mod named;
 mod operations;
 pub mod slice;
 pub mod source;
