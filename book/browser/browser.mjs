@@ -42,5 +42,9 @@ export async function open(file, { width = 1200, height = 900, scheme = "light" 
         if (!/^(file|data|blob):/.test(request.url())) faults.push(`a request to a network: ${request.url()}`);
     });
     await page.goto(pathToFileURL(file).href, { waitUntil: "load" });
+    // what a script unpacks is there a moment later
+    for (const [holder, content] of [["[data-figure]", ".interactive .handle"], ["#steps", "#steps[data-pixel]"]]) {
+        if (await page.locator(holder).count() > 0) await page.locator(content).first().waitFor();
+    }
     return { page, faults, close: () => context.close() };
 }

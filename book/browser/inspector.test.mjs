@@ -7,6 +7,10 @@ import { open, others, withBrowser } from "./browser.mjs";
 
 withBrowser();
 
+test("there are inspectors, where pages beside the book are read", () => {
+    assert.ok(others.length === 0 || others.some(page => page.endsWith("-inspect.html")), others.join(" "));
+});
+
 for (const file of others.filter(page => page.endsWith("-inspect.html"))) {
     test(`${basename(file)} shows the pixel that is asked for`, async () => {
         const { page, faults, close } = await open(file);

@@ -13,4 +13,9 @@ window.addEventListener("DOMContentLoaded", () => {
     // once the letters of mathematics are there, and whenever the window changes
     for (const event of ["load", "resize"]) window.addEventListener(event, reach);
     document.fonts.ready.then(reach);
+    // there the arrows scroll; elsewhere they turn the page
+    document.body.addEventListener("keydown", event => {
+        const box = event.target.closest?.('main [tabindex="0"]');
+        if (["ArrowLeft", "ArrowRight"].includes(event.key) && box) event.stopPropagation();
+    });
 });
