@@ -30,8 +30,8 @@ impl Chapter for Whitted {
             notes: "CSC418 11.7",
             methods: Method::ALL.map(Method::name).to_vec(),
             size: SIZE,
-            picture: "The scene. Below the chapter's own, where there is room: the rays of the pixel that is explained, \
-                      from above, and light that leaves a slower medium, at the critical angle and on both sides of it.",
+            picture: "The scene. Below the chapter's own scene two drawings, where there is room: the rays of the pixel that is \
+                      explained, from above; and light that leaves a slower medium, at the critical angle and on both sides of it.",
             flags: &[
                 Flag::Scene,
                 Flag::Inspect,
