@@ -59,6 +59,16 @@ fn from_the_view_plane<R: Real>(transcript: &mut Transcript, ray: &Ray3<R>, pain
     }
 }
 
+/// What is said of a ray that starts inside.
+const FROM_INSIDE: &str = "the nearer one is behind: from inside, where it leaves";
+
+/// The root that is the answer, and whether the ray starts inside; where both are behind, the nearer one.
+fn taken<R: Real>(roots: Roots<R>) -> (R, bool) {
+    let zero = R::from(0.0);
+    let is_inside = roots.near < zero && roots.far >= zero;
+    (if is_inside { roots.far } else { roots.near }, is_inside)
+}
+
 fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach<R>) {
     let r = work.sphere.radius;
     let decision = match () {
@@ -74,11 +84,14 @@ fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach
         .number("d", "‖x_close − c‖", work.d)
         .note(decision);
     let Some(roots) = work.distances() else { return };
-    section
-        .step("a", "√(r² − d²)", Value::maybe(work.a))
-        .number("t", "t_close − a", roots.near)
-        .note("the nearer of t_close ± a");
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t u_r", "(x_hit − c) / r"]);
+    let (t, is_inside) = taken(roots);
+    let formula = if is_inside { "t_close + a" } else { "t_close − a" };
+    section.step("a", "√(r² − d²)", Value::maybe(work.a)).number("t", formula, t).note(if is_inside {
+        FROM_INSIDE
+    } else {
+        "the nearer of t_close ± a"
+    });
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t u_r", "(x_hit − c) / r", "c"]);
 }
 
 fn shortcut_steps<R: Real>(section: &mut Section, work: &Shortcut<R>) {
@@ -99,11 +112,14 @@ fn shortcut_steps<R: Real>(section: &mut Section, work: &Shortcut<R>) {
         .number("a²", "r² − d²", work.a_squared)
         .note(decision);
     let Some(roots) = work.roots() else { return };
-    section
-        .step("a", "√a²", Value::maybe(work.a))
-        .number("t", "(t_close − a) / ‖D‖", roots.near)
-        .note("in lengths of D");
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t D", "(x_hit − c) / r"]);
+    let (t, is_inside) = taken(roots);
+    let formula = if is_inside { "(t_close + a) / ‖D‖" } else { "(t_close − a) / ‖D‖" };
+    section.step("a", "√a²", Value::maybe(work.a)).number("t", formula, t).note(if is_inside {
+        FROM_INSIDE
+    } else {
+        "in lengths of D"
+    });
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t D", "(x_hit − c) / r", "c"]);
 }
 
 fn batched_steps<R: Real>(section: &mut Section, work: &Batched<R>) {
@@ -120,7 +136,7 @@ fn batched_steps<R: Real>(section: &mut Section, work: &Batched<R>) {
         let hit = work.hit(Span::ahead());
         let by_lambda_1 = hit.is_ok_and(|hit| hit.is_some_and(|hit| hit.t == work.lambda_1));
         let x_formula = if by_lambda_1 { "ā + λ1 d⃗" } else { "ā + λ2 d⃗" };
-        hit_steps(section, &work.sphere, hit, [x_formula, "(x_hit − c̄) / r"]);
+        hit_steps(section, &work.sphere, hit, [x_formula, "(x_hit − c̄) / r", "c̄"]);
     }
 }
 
@@ -143,7 +159,7 @@ fn quadratic_steps<R: Real>(section: &mut Section, work: &Quadratic<R>) {
     }
     section.step("t1", "(−b + √(b² − 4ac)) / 2a", Value::maybe(work.t1));
     section.step("t2", "(−b − √(b² − 4ac)) / 2a", Value::maybe(work.t2));
-    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["O + t D", "(x_hit − C) / r"]);
+    hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["O + t D", "(x_hit − C) / r", "C"]);
 }
 
 /// The steps that half-quadratic and batched share, up to the discriminant.
@@ -180,7 +196,7 @@ fn half_quadratic_steps<R: Real>(section: &mut Section, work: &HalfQuadratic<R>)
     let hit = work.hit(Span::ahead());
     let by_lambda_1 = hit.is_ok_and(|hit| hit.is_some_and(|hit| Some(hit.t) == work.lambda_1));
     let x_formula = if by_lambda_1 { "ā + λ1 d⃗" } else { "ā + λ2 d⃗" };
-    hit_steps(section, &work.sphere, hit, [x_formula, "(x_hit − c̄) / r"]);
+    hit_steps(section, &work.sphere, hit, [x_formula, "(x_hit − c̄) / r", "c̄"]);
 }
 
 fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
@@ -220,16 +236,16 @@ fn robust_steps<R: Real>(section: &mut Section, work: &Robust<R>) {
         section,
         &work.sphere,
         work.hit(Span::ahead()),
-        ["p_r + t d, or c + r n if r < ‖t d‖", "(t d − L) / r = ((δ ∓ h) d − P) / r"],
+        ["p_r + t d, or c + r n if r < ‖t d‖", "(t d − L) / r = ((δ ∓ h) d − P) / r", "c"],
     );
 }
 
-/// The hit, its normal, and the residual of substituting it back.
+/// The hit, its normal, and the residual of substituting it back; `c` is the letter that the page has for the center.
 fn hit_steps<R: Real>(
     section: &mut Section,
     sphere: &Sphere<R>,
     hit: Result<Option<crate::Hit3<R>>, Degenerate>,
-    [x_formula, n_formula]: [&str; 2],
+    [x_formula, n_formula, c]: [&str; 3],
 ) {
     let Ok(Some(hit)) = hit else {
         section.step("hit", "the smallest root ≥ 0", Value::text("none")).note("all of the sphere is behind");
@@ -238,7 +254,7 @@ fn hit_steps<R: Real>(
     let residual = (hit.point - sphere.center).length() - sphere.radius;
     section.vector("x_hit", x_formula, hit.point).vector("n", n_formula, hit.normal).number(
         "residual",
-        "‖x_hit − c‖ − r",
+        &format!("‖x_hit − {c}‖ − r"),
         residual,
     );
 }
