@@ -23,7 +23,7 @@ pub enum Method {
 ///
 /// Measured by `cargo run --release -p bounds -- trade`, whose line `crossover` names the number of spheres
 /// from which on `wide` takes less time than `none`.
-pub const CROSSOVER: usize = 12;
+pub const CROSSOVER: usize = 32;
 
 impl Method {
     /// Every method, the default first, then in the order of the page and of what follows from it.
