@@ -15,8 +15,8 @@ use crate::json::Report;
 use crate::trade::{TradeFormat, place_beside};
 use crate::whole_file::try_at;
 use crate::{
-    About, Ask, Error, Flag, Precision, Shown, Stage, TradeAsk, clean_up_when_interrupted, try_beside,
-    write_picture,
+    About, Ask, Error, Flag, Precision, Shown, Stage, TradeAsk, clean_up_when_interrupted,
+    large_files_are_errors, try_beside, write_picture,
 };
 
 /// The folder of all pictures that nobody names.
@@ -29,6 +29,7 @@ pub fn main(stage: &dyn Stage) -> ExitCode {
 
 /// [`main`] for a command line that is given; its first word is the program's name.
 pub fn main_from(stage: &dyn Stage, args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    large_files_are_errors();
     clean_up_when_interrupted();
     match command(&stage.about()).try_get_matches_from(args) {
         Ok(matches) => finish(serve(stage, &matches, &mut BufWriter::new(io::stdout().lock()))),

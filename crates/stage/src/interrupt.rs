@@ -60,10 +60,10 @@ impl UnfinishedFiles {
     }
 
     /// Makes an empty file that is known to be unfinished from the first, so that no interrupt comes in
-    /// between.
+    /// between. What is there already is somebody else's, and an error.
     pub(crate) fn begin(&self, place: PathBuf) -> io::Result<(Unfinished<'_>, File)> {
         let mut places = self.places();
-        let file = File::create(&place)?;
+        let file = File::create_new(&place)?;
         places.insert(place.clone());
         Ok((Unfinished { place, among: self }, file))
     }
@@ -193,6 +193,9 @@ mod tests {
     fn what_cannot_be_begun_or_finished_is_not_kept() {
         let (folder, files) = folder("failed");
         assert!(files.begin(folder.join("nowhere/a")).is_err());
+        fs::write(folder.join("b"), "another's").unwrap();
+        assert!(files.begin(folder.join("b")).is_err());
+        fs::remove_file(folder.join("b")).unwrap();
         let (file, _) = files.begin(folder.join("a")).unwrap();
         assert!(file.finish(&folder.join("nowhere/a")).is_err());
         assert_eq!((files.places().len(), fs::read_dir(&folder).unwrap().count()), (0, 0));

@@ -37,6 +37,7 @@ mod ids;
 mod inspect;
 mod interrupt;
 mod json;
+mod large_file;
 mod pixels;
 #[cfg_attr(target_family = "wasm", path = "progress/nowhere.rs")]
 mod progress;
@@ -60,6 +61,7 @@ pub use flags::{Flag, command as command_line};
 pub use ids::Ids;
 pub use inspect::{Inspect, Inspector, Look, Packed};
 pub use interrupt::{Scratch, clean_up_when_interrupted};
+pub use large_file::large_files_are_errors;
 pub use pixels::each_pixel;
 pub use progress::Progress;
 pub use sketch::{Ink, SKETCH, Sketch, escaped};

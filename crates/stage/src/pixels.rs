@@ -1,5 +1,8 @@
 //! One value a pixel, on as many threads as the machine has.
 
+use std::sync::{Mutex, PoisonError};
+use std::thread::{Builder, available_parallelism, scope};
+
 use crate::Error;
 
 /// A value for every pixel of a picture of `size` = (columns, rows), row by row from the top, by its column and row.
@@ -20,25 +23,26 @@ pub fn each_pixel<T: Clone + Default + Send>(
     Ok(all)
 }
 
-/// Fills rows of `width` values, each by its number: strips of them are dealt out to the threads like cards.
+/// Fills rows of `width` values, each by its number: whichever thread is free takes the next strip of them.
+/// Where a thread cannot be had the others do its work, and this one at least is there.
 pub(crate) fn by_row<T: Send>(all: &mut [T], width: usize, fill: impl Fn(u32, &mut [T]) + Sync) {
     const ROWS_EACH: usize = 8;
-    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get());
-    let mut shares: Vec<Vec<(usize, &mut [T])>> = (0..threads).map(|_| Vec::new()).collect();
-    for (strip, rows) in all.chunks_mut(ROWS_EACH * width).enumerate() {
-        shares[strip % threads].push((strip * ROWS_EACH, rows));
-    }
-    let fill = &fill;
-    std::thread::scope(|scope| {
-        for share in shares {
-            scope.spawn(move || {
-                for (first_row, rows) in share {
-                    for (row, values) in (first_row as u32..).zip(rows.chunks_mut(width)) {
-                        fill(row, values);
-                    }
-                }
-            });
+    let threads = available_parallelism().map_or(1, |threads| threads.get());
+    let strips = Mutex::new(all.chunks_mut(ROWS_EACH * width).enumerate());
+    let next = || strips.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let work = || {
+        while let Some((strip, rows)) = next() {
+            let first_row = strip * ROWS_EACH;
+            for (row, values) in (first_row as u32..).zip(rows.chunks_mut(width)) {
+                fill(row, values);
+            }
         }
+    };
+    scope(|scope| {
+        let help = || Builder::new().spawn_scoped(scope, work).is_ok();
+        // counted until one is missing
+        let _ = (1..threads).take_while(|_| help()).count();
+        work();
     });
 }
 

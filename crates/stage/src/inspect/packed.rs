@@ -66,8 +66,9 @@ impl<W: Write> Write for Base64<W> {
             self.waiting[self.count] = byte;
             self.count += 1;
             if self.count == 3 {
-                self.page.write_all(&letters(self.waiting))?;
+                // whoever goes on after an error finds room for the next byte
                 self.count = 0;
+                self.page.write_all(&letters(self.waiting))?;
             }
         }
         Ok(bytes.len())
@@ -107,5 +108,26 @@ mod tests {
             base64.finish().unwrap();
             assert_eq!(text, want.as_bytes(), "{bytes}");
         }
+    }
+
+    /// A page that is full from the first.
+    struct Full;
+
+    impl Write for Full {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::StorageFull.into())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// The packer tries once more when it is dropped.
+    #[test]
+    fn a_page_that_is_full_is_an_error() {
+        let mut packed = Packed::new(Full);
+        let written = packed.write_all(b"a ray").and_then(|()| packed.finish());
+        assert_eq!(written.unwrap_err().kind(), io::ErrorKind::StorageFull);
     }
 }
