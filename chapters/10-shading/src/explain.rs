@@ -165,7 +165,7 @@ fn eight_bits<R: Real>(
 }
 
 /// What the picture took.
-pub(crate) fn picture(transcript: &mut Transcript, rendered: &Rendered) {
+pub(crate) fn picture<T>(transcript: &mut Transcript, rendered: &Rendered<T>) {
     let Work { eye_rays, hits, shadow_rays, blocked, of_eye, of_shadows } = rendered.work;
     let (width, height) = rendered.size;
     let whole = |count: u64| Value::number(count as f64);

@@ -11,6 +11,12 @@ use crate::own::{self, SCALES};
 use crate::render::{Rendered, Seen, render};
 use crate::{Lighting, Rgb, Scene, Start, from_file};
 
+/// What can be drawn of a pixel.
+const TERMS: [Term; 5] = [Term::All, Term::Ambient, Term::Diffuse, Term::Specular, Term::Shadows];
+
+/// The color of each of [`TERMS`] in a pixel.
+type Drawn = Rendered<[[u8; 3]; TERMS.len()]>;
+
 /// A scene lit in this chapter's way: every second ray is tried on everything, so that a start has to prove
 /// itself.
 pub(crate) fn lighting<'a, R: Real>(
@@ -27,8 +33,8 @@ pub(crate) fn all<R: Real>(
     ask: &Ask,
     file: &scene_file::Scene,
     parts: &[Part],
-) -> Result<Vec<(Part, Rendered)>, Error> {
-    let mut all: Vec<(Part, Rendered)> = Vec::new();
+) -> Result<Vec<(Part, Drawn)>, Error> {
+    let mut all: Vec<(Part, Drawn)> = Vec::new();
     for part in parts {
         let is_the_same = |other: &Part| {
             matches!((part.what, other.what), (What::Term(_), What::Term(_))) && other.size == part.size
@@ -41,18 +47,19 @@ pub(crate) fn all<R: Real>(
 }
 
 /// What is drawn in a part.
-fn rendered<R: Real>(ask: &Ask, file: &scene_file::Scene, part: &Part) -> Result<Rendered, Error> {
+fn rendered<R: Real>(ask: &Ask, file: &scene_file::Scene, part: &Part) -> Result<Drawn, Error> {
     let samples = ask.samples.unwrap_or(1);
+    let colors = |seen: &Seen| TERMS.map(|term| color(ask, of(term, seen)).0);
     match part.what {
         What::Term(_) => {
             let scene = from_file::scene::<R>(file, Some(part.size)).map_err(signature::stage::fault)?;
             let bounded = Bounded::new(&scene.geometry, bounds::Method::Auto);
-            render(&lighting(&scene, &bounded, Start::ALL[ask.method]), samples, ask.threads)
+            render(&lighting(&scene, &bounded, Start::ALL[ask.method]), samples, ask.threads, colors)
         }
         What::Cell(row, column) => {
             let scene = own::small::<f32>(SCALES[row], part.size)?;
             let bounded = Bounded::new(&scene.geometry, bounds::Method::Auto);
-            render(&lighting(&scene, &bounded, COLUMNS[column]), samples, ask.threads)
+            render(&lighting(&scene, &bounded, COLUMNS[column]), samples, ask.threads, colors)
         }
     }
 }
@@ -63,12 +70,12 @@ pub(crate) fn color(ask: &Ask, Rgb(radiance): Rgb) -> Color {
 }
 
 /// All parts, each with what is drawn in it.
-pub(crate) fn draw(ask: &Ask, size: (u32, u32), parts: &[(Part, Rendered)]) -> Result<Canvas, Error> {
+pub(crate) fn draw(size: (u32, u32), parts: &[(Part, Drawn)]) -> Result<Canvas, Error> {
     let mut canvas = Canvas::new(size, Color::WHITE)?;
     canvas.shade(|col, row| {
         let within =
             parts.iter().find_map(|(part, rendered)| Some((part, rendered.at(part.own((col, row))?))));
-        within.map_or(Color::WHITE, |(part, seen)| color(ask, of(part.what, seen)))
+        within.map_or(Color::WHITE, |(part, colors)| Color(colors[place(part.what)]))
     });
     if parts.len() > 1 {
         canvas.fit(SIZE.0 as f32, SIZE.1 as f32);
@@ -77,18 +84,24 @@ pub(crate) fn draw(ask: &Ask, size: (u32, u32), parts: &[(Part, Rendered)]) -> R
     Ok(canvas)
 }
 
-/// What of a pixel a part shows.
-fn of(what: What, seen: &Seen) -> Rgb {
-    match what {
-        What::Cell(..) | What::Term(Term::All) => seen.e,
-        What::Term(Term::Ambient) => seen.ambient,
-        What::Term(Term::Diffuse) => seen.diffuse,
-        What::Term(Term::Specular) => seen.specular,
-        What::Term(Term::Shadows) => seen.lit,
+/// Where in the colors of a pixel that of a part stands.
+fn place(what: What) -> usize {
+    let term = if let What::Term(term) = what { term } else { Term::All };
+    TERMS.iter().position(|other| *other == term).unwrap_or(0)
+}
+
+/// What a term is of what a pixel sees.
+fn of(term: Term, seen: &Seen) -> Rgb {
+    match term {
+        Term::All => seen.e,
+        Term::Ambient => seen.ambient,
+        Term::Diffuse => seen.diffuse,
+        Term::Specular => seen.specular,
+        Term::Shadows => seen.lit,
     }
 }
 
-fn label(canvas: &mut Canvas, parts: &[(Part, Rendered)]) {
+fn label(canvas: &mut Canvas, parts: &[(Part, Drawn)]) {
     for (part, _) in parts {
         if let What::Term(term) = part.what {
             let corner = canvas.place((f64::from(part.at.0), f64::from(part.at.1)));

@@ -53,39 +53,41 @@ impl Work {
     }
 }
 
-/// A whole picture.
+/// A whole picture, and what is kept of each pixel.
 #[derive(Clone, Debug)]
-pub(crate) struct Rendered {
+pub(crate) struct Rendered<T> {
     pub(crate) size: (u32, u32),
     /// Row by row from the top.
-    pub(crate) pixels: Vec<Seen>,
+    pub(crate) pixels: Vec<T>,
     pub(crate) work: Work,
 }
 
-impl Rendered {
-    /// What a pixel of it sees.
-    pub(crate) fn at(&self, (col, row): (u32, u32)) -> &Seen {
+impl<T> Rendered<T> {
+    /// What is kept of a pixel of it.
+    pub(crate) fn at(&self, (col, row): (u32, u32)) -> &T {
         &self.pixels[row as usize * self.size.0 as usize + col as usize]
     }
 }
 
-/// Renders a picture of the scene's own size, `samples` × `samples` rays a pixel.
+/// Renders a picture of the scene's own size, `samples` × `samples` rays a pixel. All terms of a pixel take
+/// more memory than its colors: `keeps` says what is kept of them.
 ///
 /// [`Error::Failed`] where the memory for it or a thread cannot be had.
-pub(crate) fn render<R: Real>(
+pub(crate) fn render<R: Real, T: Clone + Default + Send>(
     lighting: &Lighting<'_, R>,
     samples: u32,
     threads: Option<usize>,
-) -> Result<Rendered, Error> {
+    keeps: impl Fn(&Seen) -> T + Sync,
+) -> Result<Rendered<T>, Error> {
     // nothing here recurses: a thread's usual stack
     let workers = Workers { threads, stack: 1 << 20, progress: Some("shading") };
     let size = lighting.scene.geometry.size;
     let mut work = Work::default();
-    let one_tile = |tile: &Tile, values: &mut [Seen]| {
+    let one_tile = |tile: &Tile, values: &mut [T]| {
         let mut work = Work::default();
         let pixels = tile.rows.clone().flat_map(|row| tile.cols.clone().map(move |col| (col, row)));
         for (value, pixel) in values.iter_mut().zip(pixels) {
-            *value = lighting.pixel(pixel, samples, &mut work);
+            *value = keeps(&lighting.pixel(pixel, samples, &mut work));
         }
         work
     };

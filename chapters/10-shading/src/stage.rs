@@ -61,7 +61,7 @@ impl Chapter for Shading {
         if let Some((_, rendered)) = drawn.iter().find(|(it, _)| it.what == part.what) {
             explain::picture(&mut transcript, rendered);
         }
-        let mut picture = picture::draw(ask, size, &drawn)?;
+        let mut picture = picture::draw(size, &drawn)?;
         if drawn.len() > 1 {
             picture::ring(&mut picture, (part.at.0 + own.0, part.at.1 + own.1));
         }

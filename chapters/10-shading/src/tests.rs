@@ -7,7 +7,7 @@ use math::Real;
 use stage::{Ask, Chapter, Precision, Section, Value};
 
 use crate::picture::lighting;
-use crate::render::{Rendered, render};
+use crate::render::{Rendered, Seen, render};
 use crate::stage::Shading;
 use crate::{Scene, Start, from_file, layout, own};
 
@@ -48,9 +48,9 @@ fn what_is_explained_is_what_is_drawn() {
     }
 }
 
-fn rendered<R: Real>(scene: &Scene<R>, start: Start, threads: usize) -> Rendered {
+fn rendered<R: Real>(scene: &Scene<R>, start: Start, threads: usize) -> Rendered<Seen> {
     let bounded = Bounded::new(&scene.geometry, bounds::Method::Auto);
-    render(&lighting(scene, &bounded, start), 1, Some(threads)).unwrap()
+    render(&lighting(scene, &bounded, start), 1, Some(threads), Seen::clone).unwrap()
 }
 
 #[test]
