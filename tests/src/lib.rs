@@ -12,6 +12,8 @@ pub mod fuzzed;
 mod judge;
 mod picture;
 mod record;
+mod rows;
+mod run;
 mod verdict;
 
 pub use bars::{BARS, Bars};
@@ -19,6 +21,8 @@ pub use folder::Folder;
 pub use judge::{Judge, is_within};
 pub use picture::compare;
 pub use record::{Record, case_of, number, records};
+pub use rows::{header, plain_row, row_with};
+pub use run::{Run, command_in};
 pub use verdict::exact_verdict;
 
 use stage::Stage;

@@ -1,5 +1,6 @@
 //! The command line of the workbench.
 
+use std::ffi::OsString;
 use std::fs;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::PathBuf;
@@ -8,7 +9,7 @@ use std::process::ExitCode;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use homework::{CheckAsk, GradeAsk, GradeFormat, ListFormat};
-use stage::{Error, clean_up_when_interrupted, finish, refuse};
+use stage::{Error, clean_up_when_interrupted, finish, large_files_are_errors, refuse};
 
 use crate::list::list;
 use crate::run::run;
@@ -16,9 +17,18 @@ use crate::stages;
 
 /// The whole program: reads the command line, does it, and says how it ended.
 pub fn main() -> ExitCode {
+    main_from(std::env::args_os())
+}
+
+/// [`main`] for a command line that is given; its first word is the program's name.
+pub fn main_from(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     clean_up_when_interrupted();
-    match command().try_get_matches_from(std::env::args_os()) {
+    match command().try_get_matches_from(args) {
         Ok(matches) => {
+            // what is built there is a student's, and ends as the system ends it
+            if !matches!(matches.subcommand_name(), Some("check" | "grade")) {
+                large_files_are_errors();
+            }
             let mut output = BufWriter::new(io::stdout().lock());
             let done = serve(&matches, &mut output);
             let flushed = output.flush().map_err(Error::from_output);

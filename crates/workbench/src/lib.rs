@@ -12,4 +12,4 @@ pub mod list;
 pub mod run;
 pub mod stages;
 
-pub use command::{command, main, serve};
+pub use command::{command, main, main_from, serve};
