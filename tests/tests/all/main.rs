@@ -15,6 +15,7 @@ mod judge;
 mod oracle_on_cases;
 mod pictures;
 mod pipes;
+mod portable;
 mod process;
 mod readme;
 mod regimes;
