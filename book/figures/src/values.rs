@@ -1,13 +1,15 @@
-//! The values of a figure in two tables: the steps of a method, and the answers of all.
+//! The values of a figure in two tables: the answers of all methods, and the steps of one.
 
 use math::{Degenerate, Real};
 use stage::figure::Figure;
 use stage::{Section, escaped};
 
-/// The steps of a method, `f64` beside `f32`, and what each method answers: HTML.
+/// What each method answers, and the steps of one, `f64` beside `f32`: HTML. The answers come first: they are what one
+/// looks at while something is dragged.
 pub fn values<F: Figure>(figure: &F, method: usize) -> String {
     let name = F::methods().get(method).copied().unwrap_or_default();
-    let mut text = format!("<h4>The steps of {name}</h4>");
+    let mut text =
+        format!("<h4>What each method answers</h4>{}<h4>The steps of {name}</h4>", answers(figure));
     match (figure.steps::<f64>(method), figure.steps::<f32>(method)) {
         (Ok(in_f64), Ok(in_f32)) => text += &steps(&in_f64, &in_f32),
         (Err(why), Err(_)) => text += &no_answer("", why),
@@ -19,7 +21,7 @@ pub fn values<F: Figure>(figure: &F, method: usize) -> String {
             text += &(no_answer(" in f64", why) + &steps(&Section::new("", ""), &in_f32))
         }
     }
-    text + "<h4>What each method answers</h4>" + &answers(figure)
+    text
 }
 
 fn no_answer(precision: &str, why: Degenerate) -> String {

@@ -108,7 +108,12 @@ impl Figure for RayAndSurface {
 
     fn draw(&self, sketch: &mut Sketch) {
         let ((left, low), (right, _)) = Self::FRAME;
-        sketch.outline(&[(left, low), (right, low), (right, 0.0), (left, 0.0)], Ink::Object);
+        // it goes on below what is seen
+        let below = low - 1.0;
+        sketch.outline(
+            &[(left - 1.0, below), (right + 1.0, below), (right + 1.0, 0.0), (left - 1.0, 0.0)],
+            Ink::Object,
+        );
         sketch.dot(self.light, Ink::Shadow);
         let ray = self.ray::<f64>();
         let place = |v: <f64 as Real>::Vec3| (v.x(), v.y());
