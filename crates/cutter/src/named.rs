@@ -76,21 +76,32 @@ fn promises_a_test(name: &str) -> bool {
 
 impl Module {
     /// Whether what is named `a::b::c` is declared here: the first parts are the last modules on the way to this file,
-    /// the next ones modules or types in it.
+    /// the next ones modules or types in it. What begins with a type may stand in any file, as types are known at the
+    /// root of their crate.
     fn has(&self, name: &str) -> bool {
         let parts: Vec<&str> = name.split("::").collect();
         let Some((last, before)) = parts.split_last() else { return false };
         (0..=before.len()).any(|of_path| {
             let (outside, inside) = before.split_at(of_path);
-            let is_here =
-                if outside.is_empty() { self.path.is_empty() } else { self.path.ends_with(&owned(outside)) };
-            is_here && inside.iter().all(|part| self.declares(part)) && self.is_as_named(name, last)
+            let is_here = match outside {
+                [] => self.path.is_empty() || parts.len() > 1 && is_type(parts[0]),
+                _ => self.path.ends_with(&owned(outside)),
+            };
+            let is_in_it = |part: &&str| self.declares(part) || is_type(part) && self.has_methods_of(part);
+            is_here && inside.iter().all(is_in_it) && self.is_as_named(name, last)
         })
     }
 
     fn is_as_named(&self, name: &str, last: &str) -> bool {
         let is_function = self.places("fn", last).next().is_some();
         self.declares(last) && (!is_function || !promises_a_test(name) || self.is_test(last))
+    }
+
+    fn has_methods_of(&self, name: &str) -> bool {
+        let mut impls = self.text.lines().filter(|line| line.starts_with("impl"));
+        impls.any(|line| {
+            line.split(|sign: char| !sign.is_alphanumeric() && sign != '_').any(|word| word == name)
+        })
     }
 
     fn declares(&self, name: &str) -> bool {
@@ -119,6 +130,11 @@ impl Module {
             ends && !before.contains("//") && (before.is_empty() || before.ends_with(' '))
         })
     }
+}
+
+/// Whether a name is written as those of types are.
+fn is_type(name: &str) -> bool {
+    name.starts_with(char::is_uppercase)
 }
 
 fn owned(parts: &[&str]) -> Vec<String> {
@@ -169,7 +185,7 @@ mod tests {
         for cell in [
             "`ray-wall`, `notes::hit`; and more",
             "`ray-wall`, `notes::tests::a_hit`, `Wall`",
-            "`ray-wall`, `notes::Notes::at`",
+            "`ray-wall`, `notes::Notes::at`, `Notes::at`",
             "– (no number depends on it)",
         ] {
             assert_eq!(sources().faults(cell), [""; 0], "{cell}");
@@ -184,9 +200,16 @@ mod tests {
 
     #[test]
     fn what_is_not_there() {
-        for name in
-            ["notes::hi", "robust::hit", "hit", "notes::tests::helper", "notes::lost", "notes::tests::a_hi"]
-        {
+        for name in [
+            "notes::hi",
+            "robust::hit",
+            "hit",
+            "notes::tests::helper",
+            "notes::lost",
+            "Notes::hi",
+            "Wall::at",
+            "notes::tests::a_hi",
+        ] {
             assert_eq!(
                 sources().faults(&format!("`ray-wall`, `{name}`")),
                 [format!("`{name}` is not in `ray-wall`")]
