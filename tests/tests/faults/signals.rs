@@ -108,10 +108,10 @@ fn at_any_time_of_a_gallery_or_a_picture() {
 #[ignore = "takes long"]
 fn at_any_time_of_all_that_is_written() {
     let large = Writer::new(&["ray-plane", "--size", "2000x1500", "--out", "picture.png"]);
-    assert_whole_at_any_time(&large, Duration::from_millis(20), 60);
-    assert_whole_at_any_time(&WHOLE_GALLERY, Duration::from_millis(150), 60);
-    PAGES.iter().for_each(|page| assert_whole_at_any_time(page, Duration::from_millis(40), 40));
-    DRAWINGS.iter().for_each(|drawing| assert_whole_at_any_time(drawing, Duration::from_millis(40), 10));
+    assert_whole_at_any_time(&large, Duration::from_millis(30), 25);
+    assert_whole_at_any_time(&WHOLE_GALLERY, Duration::from_millis(700), 10);
+    PAGES.iter().for_each(|page| assert_whole_at_any_time(page, Duration::from_millis(60), 10));
+    DRAWINGS.iter().for_each(|drawing| assert_whole_at_any_time(drawing, Duration::from_millis(70), 4));
 }
 
 #[test]
