@@ -59,14 +59,17 @@ fn from_the_view_plane<R: Real>(transcript: &mut Transcript, ray: &Ray3<R>, pain
     }
 }
 
-/// What is said of a ray that starts inside.
-const FROM_INSIDE: &str = "the nearer one is behind: from inside, where it leaves";
-
-/// The root that is the answer, and whether the ray starts inside; where both are behind, the nearer one.
-fn taken<R: Real>(roots: Roots<R>) -> (R, bool) {
+/// The root that is the answer, by the formula of the nearer one or of the farther one: a ray that starts inside leaves by
+/// the farther. Where both are behind it is the nearer. `note` is what is said of the nearer.
+fn root_taken<R: Real>(section: &mut Section, roots: Roots<R>, [nearer, farther]: [&str; 2], note: &str) {
     let zero = R::from(0.0);
-    let is_inside = roots.near < zero && roots.far >= zero;
-    (if is_inside { roots.far } else { roots.near }, is_inside)
+    if roots.near < zero && roots.far >= zero {
+        section
+            .number("t", farther, roots.far)
+            .note("the nearer one is behind: from inside, where it leaves");
+    } else {
+        section.number("t", nearer, roots.near).note(note);
+    }
 }
 
 fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach<R>) {
@@ -84,13 +87,8 @@ fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach
         .number("d", "‖x_close − c‖", work.d)
         .note(decision);
     let Some(roots) = work.distances() else { return };
-    let (t, is_inside) = taken(roots);
-    let formula = if is_inside { "t_close + a" } else { "t_close − a" };
-    section.step("a", "√(r² − d²)", Value::maybe(work.a)).number("t", formula, t).note(if is_inside {
-        FROM_INSIDE
-    } else {
-        "the nearer of t_close ± a"
-    });
+    section.step("a", "√(r² − d²)", Value::maybe(work.a));
+    root_taken(section, roots, ["t_close − a", "t_close + a"], "the nearer of t_close ± a");
     hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t u_r", "(x_hit − c) / r", "c"]);
 }
 
@@ -112,13 +110,8 @@ fn shortcut_steps<R: Real>(section: &mut Section, work: &Shortcut<R>) {
         .number("a²", "r² − d²", work.a_squared)
         .note(decision);
     let Some(roots) = work.roots() else { return };
-    let (t, is_inside) = taken(roots);
-    let formula = if is_inside { "(t_close + a) / ‖D‖" } else { "(t_close − a) / ‖D‖" };
-    section.step("a", "√a²", Value::maybe(work.a)).number("t", formula, t).note(if is_inside {
-        FROM_INSIDE
-    } else {
-        "in lengths of D"
-    });
+    section.step("a", "√a²", Value::maybe(work.a));
+    root_taken(section, roots, ["(t_close − a) / ‖D‖", "(t_close + a) / ‖D‖"], "in lengths of D");
     hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t D", "(x_hit − c) / r", "c"]);
 }
 
@@ -375,3 +368,6 @@ fn verdict<R: Real>(roots: Option<Roots<R>>) -> &'static str {
         Some(_) => "hits",
     }
 }
+
+#[cfg(test)]
+mod tests;

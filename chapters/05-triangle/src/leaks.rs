@@ -9,7 +9,7 @@ pub(crate) mod draw;
 pub(crate) mod target;
 
 use lab::table::{aligned, short};
-use lab::{Draw, Vec3};
+use lab::{Draw, Vec3, on_all_threads};
 use math::Real;
 use stage::{Precision, TradeAsk};
 
@@ -66,18 +66,12 @@ fn shoot<R: Real>(seed: u64, place: usize, precision: Precision, count: usize) -
     let mut draw = Draw::new(seed, "leaks", precision);
     let shots: Vec<Shot<R>> = (0..count).map(|_| drawn(&mut draw, &target, center)).collect();
     let (target, shots) = (&target, &shots);
-    let volley = |method| {
+    let volley = |&method: &Method| {
         let aimed = |shot: &Shot<R>| shot.aimed_at(center);
         let shots = shots.iter().map(|shot| (aimed(shot), target.lets_through(method, shot))).collect();
         Volley { method, precision, place, shots }
     };
-    std::thread::scope(|scope| {
-        let threads = Method::ALL.map(|method| scope.spawn(move || volley(method)));
-        let wait = |thread: std::thread::ScopedJoinHandle<'_, Volley>| {
-            thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        threads.map(wait).into()
-    })
+    on_all_threads(&Method::ALL, volley)
 }
 
 /// A ray from somewhere in the middle to a vertex, or to somewhere on an edge.

@@ -49,4 +49,5 @@ pub use regime::{Notes, Regime};
 pub use speed::{LONGEST_PASS, Nanoseconds, runner, time};
 pub use stage::Progress;
 pub use subject::{Answer, Outcome, Pass, Quality, Runner, Subject};
+pub use threads::on_all_threads;
 pub use truth::{Root, Truth};

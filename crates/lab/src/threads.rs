@@ -2,19 +2,23 @@
 
 use std::num::NonZero;
 use std::panic::resume_unwind;
-use std::thread::ScopedJoinHandle;
+use std::thread::{Builder, available_parallelism, scope};
 
-/// What becomes of every item, in their order; the work is spread over all threads. A panic in one of
-/// them is a panic here.
-pub(crate) fn on_all_threads<T: Sync, U: Send>(items: &[T], work: impl Fn(&T) -> U + Sync) -> Vec<U> {
-    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
-    let (work, share) = (&work, items.len().div_ceil(threads).max(1));
-    std::thread::scope(|scope| {
-        let start = |items| scope.spawn(move || -> Vec<U> { <[T]>::iter(items).map(work).collect() });
-        let workers: Vec<_> = items.chunks(share).map(start).collect();
-        let finish =
-            |worker: ScopedJoinHandle<'_, Vec<U>>| worker.join().unwrap_or_else(|panic| resume_unwind(panic));
-        workers.into_iter().flat_map(finish).collect()
+/// What becomes of every item, in their order; the work is spread over all threads. Where a thread cannot be had its
+/// share is done by this one. A panic in one of them is a panic here.
+pub fn on_all_threads<T: Sync, U: Send>(items: &[T], work: impl Fn(&T) -> U + Sync) -> Vec<U> {
+    let threads = available_parallelism().map_or(1, NonZero::get);
+    let share = items.len().div_ceil(threads).max(1);
+    let all_of = |items: &[T]| -> Vec<U> { items.iter().map(&work).collect() };
+    let all_of = &all_of;
+    scope(|scope| {
+        let start = |items| (items, Builder::new().spawn_scoped(scope, move || all_of(items)));
+        let started: Vec<_> = items.chunks(share).map(start).collect();
+        let finished = started.into_iter().map(|(items, thread)| match thread {
+            Ok(thread) => thread.join().unwrap_or_else(|panic| resume_unwind(panic)),
+            Err(_) => all_of(items),
+        });
+        finished.flatten().collect()
     })
 }
 

@@ -47,7 +47,7 @@ fn the_picture_is_one_of_the_two() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn every_picture_is_one_of_the_two() {
     for stage in STAGES {
         let two = pictures_of_two_pixels(stage.about().name, "640x480", &[]);
@@ -85,7 +85,7 @@ fn the_gallery_of_some_stages_is_that_of_one() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn the_whole_gallery_is_that_of_one() {
     assert_one_of_each(&[&*WHOLE_GALLERY, &*WHOLE_GALLERY], &[]);
 }

@@ -36,7 +36,7 @@ fn a_file_that_is_too_large_is_a_failure() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn a_drawing_that_is_too_large_is_a_failure() {
     for writer in &*DRAWINGS {
         let folder = writer.folder_of_old_files();
@@ -135,11 +135,20 @@ impl Alone {
     }
 }
 
-#[test]
-fn threads_that_cannot_be_had_are_a_failure_or_no_matter() {
+fn assert_threads_are_a_failure_or_no_matter<'a>(writers: impl Iterator<Item = &'a Writer>) {
     let alone = Alone::new();
     if !missing(alone.is_some(), "there is no user whose processes can be limited") {
-        let all = PICTURES.iter().chain(&*PAGES).chain([&*GALLERY]);
-        all.for_each(|writer| alone.iter().for_each(|alone| alone.assert_done_or_told(writer)));
+        writers.for_each(|writer| alone.iter().for_each(|alone| alone.assert_done_or_told(writer)));
     }
+}
+
+#[test]
+fn threads_that_cannot_be_had_are_a_failure_or_no_matter() {
+    assert_threads_are_a_failure_or_no_matter(PICTURES.iter().chain(&*PAGES).chain([&*GALLERY]));
+}
+
+#[test]
+#[ignore = "takes a minute: .ci/full runs it"]
+fn a_trade_without_threads_is_a_failure_or_no_matter() {
+    assert_threads_are_a_failure_or_no_matter(DRAWINGS.iter());
 }

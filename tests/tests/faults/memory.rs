@@ -115,13 +115,13 @@ fn pictures_of_a_million_pixels() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn large_pictures_of_every_stage() {
     large_pictures("2000x1500");
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn pictures_that_are_wide_or_high() {
     for size in ["1x3000000", "3000000x1"] {
         for name in ["ray-sphere", "signature", "shading", "whitted"] {
@@ -132,7 +132,7 @@ fn pictures_that_are_wide_or_high() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn many_rays_a_pixel_and_many_threads() {
     let folder = Folder::new();
     let size = size_of("2000x1500");
@@ -165,7 +165,7 @@ fn pages_to_look_at_rays() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn large_pages_to_look_at_rays() {
     pages("640x480");
 }
@@ -187,7 +187,7 @@ fn cases_are_answered_one_at_a_time() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn fifty_megabytes_of_cases() {
     for stage in with_cases() {
         let (folder, name) = (Folder::new(), stage.about().name);
@@ -223,7 +223,7 @@ fn a_small_measurement() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn measurements_of_every_stage() {
     let names: Vec<&str> = STAGES.iter().map(|stage| stage.about().name).collect();
     trades("20", &names);
@@ -231,7 +231,7 @@ fn measurements_of_every_stage() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn the_gallery() {
     // the pictures are drawn side by side
     let pixels = 4_000_000;
@@ -289,7 +289,7 @@ fn a_mesh() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn large_meshes() {
     mesh(&grid(300));
     mesh(&fan(600_000));
@@ -337,7 +337,7 @@ fn a_scene() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn large_scenes() {
     scene(&OF_SCENES, "scene.nff", &spheres_in_nff(200_000), 0);
     scene(&OF_SCENES, "scene.toml", &spheres_in_toml(40_000), 0);
@@ -361,7 +361,7 @@ fn what_is_no_scene() {
 
 /// A picture of few bytes and many pixels.
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn a_texture() {
     let folder = Folder::new();
     image::GrayImage::new(4000, 3000).save(folder.path().join("texture.png")).unwrap();

@@ -38,7 +38,7 @@ fn the_old_files_stay() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn the_old_drawings_and_the_whole_gallery_stay() {
     if no_rooms() {
         return;

@@ -105,7 +105,7 @@ fn at_any_time_of_a_gallery_or_a_picture() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn at_any_time_of_all_that_is_written() {
     let large = Writer::new(&["ray-plane", "--size", "2000x1500", "--out", "picture.png"]);
     assert_whole_at_any_time(&large, Duration::from_millis(30), 25);

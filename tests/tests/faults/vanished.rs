@@ -82,7 +82,7 @@ fn the_own_folder_is_gone() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn a_gallery_whose_folder_is_gone_is_a_failure() {
     let whole = Writer::new(&["workbench"]);
     for times in 1..12 {
@@ -103,7 +103,7 @@ fn a_gallery_whose_folder_is_gone_is_a_failure() {
 }
 
 #[test]
-#[ignore = "takes long"]
+#[ignore = "takes minutes: .ci/full runs it"]
 fn drawings_whose_folder_is_gone_are_a_failure_but_the_numbers_are_there() {
     let args = ["ray-sphere", "trade", "--quick", "--out", "to/measured.png"];
     let (run, left) = run(&args, at_work, false);

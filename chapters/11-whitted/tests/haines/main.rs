@@ -161,7 +161,7 @@ fn a_small_picture_has_its_share_of_his_rays() {
 /// The bars: 1 % of reflected and refracted rays, 5 % of shadow rays, through the centers of 513 × 513
 /// pixels.
 #[test]
-#[cfg_attr(debug_assertions, ignore = "a minute without optimization")]
+#[cfg_attr(debug_assertions, ignore = "a minute without optimization: .ci/full runs it with")]
 fn his_rays_through_centers() {
     for it in &PUBLISHED {
         let counts = counted(&(it.scene)(), 513, Through::Grid(Grid::Centers));
@@ -171,7 +171,7 @@ fn his_rays_through_centers() {
 
 /// Through his corners, as far as we know them: the same within one ray in a thousand.
 #[test]
-#[cfg_attr(debug_assertions, ignore = "a minute without optimization")]
+#[cfg_attr(debug_assertions, ignore = "a minute without optimization: .ci/full runs it with")]
 fn his_rays_through_his_corners() {
     for it in &PUBLISHED {
         let counts = counted(&(it.scene)(), 513, Through::CornersAround);
