@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, ErrorKind, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cutter::source::Files;
 use stage::Error;
@@ -16,13 +16,18 @@ const MOST_BYTES: u64 = 1 << 20;
 
 /// Writes files into a folder, making it and those below it.
 pub(crate) fn write(files: &Files, folder: &Path) -> Result<(), Error> {
+    put(files, folder).map_err(|(path, error)| failed("write", &path, error))
+}
+
+/// The same; the error has the file that could not be written, for whoever knows it by another name.
+pub(crate) fn put(files: &Files, folder: &Path) -> Result<(), (PathBuf, io::Error)> {
     for (path, text) in files {
         let path = folder.join(path);
         let made = path.parent().map_or(Ok(()), fs::create_dir_all);
         // a file that is as it should be keeps its date, so that nothing is built twice
         let same = fs::read_to_string(&path).is_ok_and(|old| old == *text);
         if !same {
-            made.and_then(|()| fs::write(&path, text)).map_err(|error| failed("write", &path, error))?;
+            made.and_then(|()| fs::write(&path, text)).map_err(|error| (path, error))?;
         }
     }
     Ok(())

@@ -40,7 +40,8 @@ fn put(files: &Files, into: &Path) -> Result<(), Error> {
     let beside = Scratch::new(new).map_err(failed)?;
     // whoever may read such a folder is not for tempfile to say
     let ready = beside.path().join("ready");
-    folder::write(files, &ready)?;
+    // its name until it is whole is nobody's business
+    folder::put(files, &ready).map_err(|(_, error)| failed(error))?;
     if !is_there {
         return fs::rename(&ready, &whole).map_err(failed);
     }

@@ -83,7 +83,8 @@ fn no_half_of_a_hand_out_is_there() {
         let (run, left) = run_on_small_disk(&Files::none(), spare, &HAND_OUT.args());
         assert_eq!(run.status, 1, "{run:?}");
         assert!(
-            run.errors.starts_with("error: cannot ") && run.errors.ends_with("; free some space\n"),
+            run.errors.starts_with("error: cannot make attempt: ")
+                && run.errors.ends_with("; free some space\n"),
             "{run:?}"
         );
         assert_eq!(Files::in_folder(left.path()), Files::none());
