@@ -161,6 +161,7 @@ pub(crate) fn failed(what: &str, path: &Path, error: io::Error) -> Error {
             "; copy the folder to where you may write"
         }
         ErrorKind::StorageFull => "; free some space",
+        ErrorKind::FileTooLarge => "; it is larger than a file may be here, see ulimit -f",
         ErrorKind::NotADirectory => "; name a folder",
         _ => "",
     };

@@ -49,7 +49,8 @@ fn a_drawing_that_is_too_large_is_a_failure() {
 fn a_hand_out_that_is_too_large_is_not_there() {
     let folder = Folder::new();
     let run = run_under(&folder, &["prlimit", "--fsize=512", "--"], &HAND_OUT);
-    assert!(run.status == 1 && run.errors.starts_with("error: cannot write "), "{run:?}");
+    let told = run.errors.starts_with("error: cannot make attempt: ") && run.errors.contains("ulimit -f");
+    assert!(run.status == 1 && told, "{run:?}");
     assert_eq!(Files::in_folder(folder.path()), Files::none());
 }
 
