@@ -1,5 +1,6 @@
 //! A sphere around a box.
 
+use math::wide::scaled;
 use math::{Real, Vector};
 use ray_sphere::Sphere;
 
@@ -33,7 +34,7 @@ pub fn sphere_around<R: Real>(bounds: &Box3) -> Option<Sphere<R>> {
 
 /// A number above x > 0, by a unit of the last digit or two.
 fn next_up<R: Real>(x: R) -> R {
-    let unit = R::round_from(2.0_f64.powi(1 - R::DIGITS as i32));
+    let unit = R::round_from(scaled(1.0, 1 - R::DIGITS as i32));
     x + x * unit + R::SMALLEST
 }
 

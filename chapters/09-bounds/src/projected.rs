@@ -7,6 +7,7 @@
 
 use std::ops::RangeInclusive;
 
+use math::wide::scaled;
 use math::{Grid, Real, Vector};
 use signature::Scene;
 
@@ -166,7 +167,7 @@ impl View {
         // What a ray of R is off: its x and y by four roundings of at most the window's edge, its direction
         // by four more of x u, y v, f w, and u, v, w are unit vectors at right angles but for four. 16 units
         // cover all.
-        let rounding = 16.0 * 2.0_f64.powi(-(R::DIGITS as i32));
+        let rounding = 16.0 * scaled(1.0, -(R::DIGITS as i32));
         let reach = left.abs().max(right.abs()) + bottom.abs().max(top.abs()) + f;
         let has_depth = rounding * reach <= f / 2.0;
         View { e: camera.e.in_f64(), frame, f, first, step, reach, rounding, has_depth }

@@ -1,15 +1,16 @@
 //! What differs between systems is taken from `math::portable`, or the bits would differ too.
 //!
 //! The standard library's functions of one number are the system's: their last digit is not the same everywhere. They
-//! are easily typed, so the sources are read for them. Tests may use them, and so may what only shows times.
+//! are easily typed, so the sources are read for them. Tests may use them, and so may what only shows times. `powi` is
+//! not even the same at every level of optimization: 2^−1070 is zero where it is computed at run time.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Methods of `f32` and `f64` that are rounded as each system likes.
-const UNFIXED: [&str; 24] = [
+const UNFIXED: [&str; 25] = [
     "sin", "cos", "tan", "sin_cos", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "exp2",
-    "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "hypot", "cbrt", "gamma", "ln_gamma",
+    "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "powi", "hypot", "cbrt", "gamma", "ln_gamma",
 ];
 
 /// Where the code of a text calls one of them: the number of the line and the method. What follows `#[cfg(test)]` and
@@ -61,7 +62,7 @@ fn no_function_is_the_systems() {
         .flat_map(|path| {
             let text = fs::read_to_string(path).unwrap();
             let place = path.strip_prefix(&root).unwrap().display().to_string();
-            let fault = move |(line, name)| format!("{place}:{line}: `{name}`; take math::portable::{name}");
+            let fault = move |(line, name)| format!("{place}:{line}: `{name}`; take one from math::portable");
             calls(&text).into_iter().map(fault).collect::<Vec<_>>()
         })
         .collect();

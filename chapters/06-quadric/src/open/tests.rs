@@ -1,5 +1,6 @@
 //! By hand, in whole numbers.
 
+use math::wide::scaled;
 use math::{Degenerate, Ray3, Span};
 
 use super::{End, OpenCone, Verdict, notes, robust};
@@ -186,11 +187,11 @@ fn the_first_reason_counts() {
 fn far_beyond_the_largest_number() {
     // by hand: x = −2 is 4 away, 4 · 2^1070 directions
     let pipe = OpenCone::new(V::ZERO, 2.0, V::Z, 2.0);
-    let far = Ray3::new(V::new(-6.0, 0.0, 0.5), V::X * 2.0_f64.powi(-1070));
+    let far = Ray3::new(V::new(-6.0, 0.0, 0.5), V::X * scaled(1.0, -1070));
     let hit = robust(&far, &pipe).hit(Span::ahead()).unwrap().unwrap();
     assert_eq!((hit.t, hit.point, hit.normal), (f64::INFINITY, V::new(-2.0, 0.0, 0.5), -V::X));
     // by hand: measures whose squares are no numbers, huge and tiny; the slope is 1
-    for size in [1000, -1000, 1021, -1070].map(|power| 2.0_f64.powi(power)) {
+    for size in [1000, -1000, 1021, -1070].map(|power| scaled(1.0, power)) {
         let cone = OpenCone::new(V::Z * -size, 2.0 * size, V::Z * size, 0.0);
         let across = Ray3::new(V::X * -3.0 * size, V::X * size);
         let hit = robust(&across, &cone).hit(Span::ahead()).unwrap().unwrap();

@@ -7,6 +7,7 @@
 //! found by halving, in both precisions.
 
 use lab::Draw;
+use math::wide::scaled;
 use shading::Rgb;
 use stage::{Error, Precision};
 
@@ -113,7 +114,7 @@ pub(super) fn sample(size: (u32, u32), seen: &SeenIn) -> Result<(Sample, Vec<Edg
 pub(super) fn halved(edges: &[Edge], seen: &SeenIn) -> Result<Vec<Edge>, Error> {
     let mut found = edges.to_vec();
     for step in 1..=HALVINGS {
-        let half = 0.5_f64.powi(step);
+        let half = scaled(1.0, -step);
         let place = |edge: &Edge| on_the_way(edge.pixel, edge.way, edge.at + half);
         let places: Vec<Place> = found.iter().map(place).collect();
         for (edge, seen) in found.iter_mut().zip(seen(&places)?) {

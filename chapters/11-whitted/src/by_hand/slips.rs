@@ -54,7 +54,8 @@ fn as_printed_a_clear_pane_is_black() {
 #[test]
 fn as_printed_a_mirror_sees_itself() {
     let (r_a, r_g, background) = (0.1, 0.5, 1.0);
-    let by_hand = |depth: i32| (0..depth).map(|bounce| r_a * f64::powi(r_g, bounce)).sum::<f64>();
+    let by_hand =
+        |depth: i32| (0..depth).map(|bounce| r_a * math::portable::pow(r_g, bounce.into())).sum::<f64>();
     assert_eq!(by_hand(3), 0.1 + 0.05 + 0.025);
     let mirror = format!("max_depth = 3\nbackground = [1, 1, 1]\n[material.m]\nmirror = {r_g}\n");
     let scene = [&mirror, &plane([0.0; 3], [0.0, 0.0, 1.0])[..]].concat();
