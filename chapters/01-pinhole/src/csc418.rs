@@ -108,6 +108,11 @@ mod tests {
         let as_printed = |n_c: f64, i: f64| left + i * ((right - left) / (n_c - 1.0));
         assert!(as_printed(5.0, 0.0) == left && as_printed(1.0, 0.0).is_nan(), "0 · ∞");
         assert_eq!(csc418_pixel(&camera(), (1, 3), (0, 0)), Err(NoGrid));
+        assert_eq!(csc418_pixel(&camera(), (3, 1), (0, 0)), Err(NoGrid));
+        assert_eq!(csc418_pixel(&camera(), (3, 0), (0, 0)), Err(NoGrid));
+        // two columns and two rows are the corners
+        let corner = csc418_pixel(&camera(), (2, 2), (1, 1)).unwrap();
+        assert_eq!(corner.p_camera, DVec3::new(2.5, -1.5, 2.0));
     }
 
     /// A ray from p̄_ij with λ > 0 does not see what stands between eye and view plane (slip 22):

@@ -106,6 +106,8 @@ mod tests {
         // by hand: −2.5 + 0.5 and −1.5 + 2.5; ‖(−2, 1, −2)‖ = 3
         assert_eq!((pixel.i, pixel.p), (2, DVec3::new(-2.0, 1.0, -2.0)));
         assert_eq!(pixel.u_r, DVec3::new(-2.0, 1.0, -2.0) / 3.0);
+        // the page looks along −z
+        assert_eq!(in_camera::<f64>(pixel.p), DVec3::new(-2.0, 1.0, 2.0));
     }
 
     /// Row i grows with y, so row 0 is at the bottom; a picture file's row 0 is its top (slip 4).

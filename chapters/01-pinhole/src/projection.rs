@@ -58,9 +58,9 @@ mod tests {
 
     #[test]
     fn similar_triangles() {
-        // by hand: a point 2 up and 4 away, a view plane at 1
-        let seen = project(2.0, 4.0, 1.0).unwrap();
-        assert_eq!((seen.y_p, seen.y_film), (0.5, -0.5));
+        // by hand: a point 2 up and 4 away, a view plane at 3
+        let seen = project(2.0, 4.0, 3.0).unwrap();
+        assert_eq!((seen.y_p, seen.y_film), (1.5, -1.5));
         assert_eq!(project(2.0, 0.0, 1.0), None);
     }
 

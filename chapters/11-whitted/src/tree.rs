@@ -68,7 +68,7 @@ struct Open {
 impl<R: Real> Tree<R> {
     /// So many rays are kept, the others counted and added up: a mirror of glass in a glass doubles its rays with every
     /// level, and no reader wants them all.
-    pub const MOST: usize = 1 << 16;
+    pub const MOST: usize = 1 << 13;
 
     /// No ray yet.
     pub fn new() -> Tree<R> {

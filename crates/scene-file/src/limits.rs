@@ -1,8 +1,14 @@
 //! How much a scene may hold. Everything is bounded before memory is taken for it.
 
-/// Bytes of a scene in TOML. Its tree takes some 60 bytes of memory a byte for objects as people write them, and at most
-/// some 420, for tables within tables with one letter each; 65535 objects, as many as there are ids, take 6 MB of text.
+/// Bytes of a scene in TOML; 65535 objects, as many as there are ids, take 6 MB of text.
 pub(crate) const TOML_BYTES: u64 = 8 << 20;
+
+/// Bytes that the tables and lists of a scene in TOML may take, however short its text.
+pub(crate) const TREE_BYTES: usize = 32 << 20;
+
+/// And so many for each byte of the text. Objects as people write them take some 40; tables within tables of one
+/// letter each would take 400.
+pub(crate) const TREE_BYTES_A_BYTE: usize = 64;
 
 /// Bytes of a scene in NFF.
 pub(crate) const NFF_BYTES: u64 = 256 << 20;

@@ -12,6 +12,7 @@ mod material;
 mod number;
 mod object;
 mod shape;
+mod size;
 mod syntax;
 mod table;
 mod texture;

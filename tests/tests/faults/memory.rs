@@ -131,6 +131,13 @@ fn pictures_that_are_wide_or_high() {
     }
 }
 
+/// The tree of the pixel that is explained is kept, and its rays double with every level.
+#[test]
+fn a_tree_of_many_rays() {
+    let args = ["whitted", "--size", "16x12", "--depth", "22", "--out", "picture.png"];
+    Measured::new(&args).pixels(size_of("16x12")).assert_within(&Folder::new());
+}
+
 #[test]
 #[ignore = "takes minutes: .ci/full runs it"]
 fn many_rays_a_pixel_and_many_threads() {
@@ -140,7 +147,6 @@ fn many_rays_a_pixel_and_many_threads() {
         let args = [name, "--size", "2000x1500", "--samples", "2", "--out", "picture.png"];
         Measured::new(&args).pixels(size).assert_within(&folder);
     }
-    // the tree of the pixel that is explained is kept, and grows with the depth as the rays do
     let args = ["whitted", "--size", "640x480", "--threads", "1024", "--depth", "12", "--out", "picture.png"];
     Measured::new(&args).pixels(size_of("640x480")).assert_within(&folder);
     let args = ["signature", "--size", "2000x1500", "--ids", "ids.png", "--out", "picture.png"];
@@ -357,6 +363,12 @@ fn what_is_no_scene() {
     refused(&numbered("", "=0"));
     refused(&numbered("[", "]"));
     refused(&"[[a]]\n".repeat(200_000));
+    // as much text as is let through, and more
+    for (table, times) in
+        [("{a=0},", 40_000), ("{a=0},", 150_000), ("{a.a.a.a=0},", 75_000), ("[0],", 150_000)]
+    {
+        refused(&format!("a = [{}]\n", table.repeat(times)));
+    }
 }
 
 /// A picture of few bytes and many pixels.

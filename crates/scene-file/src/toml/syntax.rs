@@ -2,6 +2,7 @@
 
 use ::toml::de::DeTable;
 
+use super::size;
 use super::value::one_line;
 use crate::Error;
 use crate::source::Source;
@@ -48,8 +49,9 @@ const MESSAGES: &[(&str, &str, &str)] = &[
 
 /// The tree of a text.
 ///
-/// An error at the first place that is no TOML.
+/// An error at the first place that is no TOML, and for a tree that is much larger than its text.
 pub(super) fn parse(source: &Source) -> Result<DeTable<'_>, Error> {
+    size::check(source)?;
     DeTable::parse(&source.text).map(|document| document.into_inner()).map_err(|error| {
         let message = one_line(error.message());
         let ours = MESSAGES.iter().find(|(begins, ..)| message.starts_with(begins));
