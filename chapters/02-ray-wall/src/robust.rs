@@ -54,7 +54,7 @@ pub fn robust<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Robust<R> {
 
     let is_safe = if R::DIGITS < f64::MANTISSA_DIGITS {
         // No difference or quotient of f32 overflows in f64, or vanishes.
-        (quotients[0] + quotients[1] + u_x + p_y + u_y).is_finite()
+        [quotients[0], quotients[1], u_x, p_y, u_y].iter().all(|number| number.is_finite())
     } else {
         let is_safe = |to_face: f64, t: f64| SAFE.contains(&t.abs()) || to_face == 0.0;
         SAFE.contains(&u_x.abs())

@@ -22,11 +22,17 @@ pub fn parallel<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Option<Parallel> {
     let products: [f64; 3] = std::array::from_fn(|axis| n[axis] * u[axis]);
     let sum = products[0] + products[1] + products[2];
     let size = products[0].abs() + products[1].abs() + products[2].abs();
-    if sum.abs() > ERROR * size && sum.abs() > SMALLEST_SAFE {
+    if surely_crosses(sum, size) {
         return None;
     }
     let [p_r, p_0]: [[f64; 3]; 2] = [ray.origin, plane.point].map(|v| v.in_f64());
     exactly(n, u, p_r, p_0)
+}
+
+/// Whether n · u_r ≠ 0 for certain, from its sum as computed and that of the magnitudes.
+#[inline(always)]
+fn surely_crosses(sum: f64, size: f64) -> bool {
+    sum.abs() > ERROR * size && sum.abs() > SMALLEST_SAFE
 }
 
 /// The same by exact sums.
@@ -61,6 +67,35 @@ mod tests {
         assert_eq!(along([0.0, 1.0, 0.0], [0.0, -1e-200, 0.0], [0.0, 1e-200, 0.0]), None);
         // 0.1 · −0.2 − 0.1 · 0.1 + 0.1 · 0.3 is 0 when rounded, and 0.1, 0.2, 0.3 are not what they say
         assert_eq!(along([0.0; 3], [0.1, -0.1, -0.1], [-0.2, 0.1, -0.300_000_000_000_000_04]), None);
+    }
+
+    /// By hand, in units of 2^−50: a sum of 2 with products of size 3 is off by less than 3 of them.
+    #[test]
+    fn certain_is_what_no_rounding_can_make() {
+        let unit = 2.0_f64.powi(-50);
+        assert!(!surely_crosses(2.0 * unit, 3.0) && !surely_crosses(-3.0 * unit, 3.0));
+        assert!(surely_crosses(4.0 * unit, 3.0) && surely_crosses(-4.0 * unit, 3.0));
+        assert!(!surely_crosses(1e-281, 0.0) && surely_crosses(1e-279, 0.0));
+    }
+
+    /// n and u_r = n × v at right angles, in whole numbers of which the products have more digits than `f64`.
+    #[test]
+    fn whole_numbers_at_right_angles() {
+        let mut bits = 1_u64;
+        let mut number = || {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from((bits >> 39) as u32) - 2.0_f64.powi(24)
+        };
+        let mut rounded = 0;
+        for _ in 0..1000 {
+            let [n, v] = [(); 2].map(|()| DVec3::new(number(), number(), number()));
+            let u = n.cross(v);
+            rounded += usize::from(n.dot(u) != 0.0);
+            assert_eq!(along([0.0; 3], u.to_array(), n.to_array()), Some(Parallel::Within), "{n} {u}");
+            let off = along([0.0; 3], (u + DVec3::X).to_array(), n.to_array());
+            assert_eq!(off, (n.x == 0.0).then_some(Parallel::Within), "{n} {u}");
+        }
+        assert!(rounded > 400, "{rounded}");
     }
 
     /// n · u_r = 0 by two products of three, whichever they are.

@@ -147,7 +147,7 @@ impl<R: Real> Robust<R> {
         let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| p_r[axis] + wide_t * u_r[axis]);
         // Where a sum had to be exact, t may be infinite or vanish; and t u_r may overflow.
         let is_plain = [self.n_dot_p, self.n_dot_u].iter().all(|sum| sum.certainty != Certainty::Exact)
-            && (x + y + z).is_finite();
+            && [x, y, z].iter().all(|number| number.is_finite());
         let point = match is_plain {
             true => R::vec3(R::round_from(x), R::round_from(y), R::round_from(z)),
             false => careful::point(&ray, &plane),

@@ -77,4 +77,31 @@ mod tests {
         assert_eq!(middle(radius), 0.0);
         assert!(middle(printed_radius) > 0.18);
     }
+
+    #[test]
+    fn the_base_closes_the_printed_surface() {
+        // by hand: straight up from 2 below, and from 2 above the half without its base
+        let along_z = |x: f64, z: f64, d_z: f64| {
+            let ray = Ray3::<f64>::new(DVec3::new(x, 0.0, z), DVec3::Z * d_z);
+            hit(&ray, Span::ahead()).unwrap().map(|hit| (hit.t, hit.point.z, hit.normal))
+        };
+        assert_eq!(along_z(0.25, -2.0, 4.0), Some((0.5, 0.0, -DVec3::Z)));
+        assert_eq!(along_z(0.75, -2.0, 4.0), None);
+        assert_eq!(along_z(0.0, 2.0, -0.5), Some((2.0, 1.0, DVec3::Z)));
+        assert_eq!(along_z(0.25, -2.0, -4.0), None);
+    }
+
+    #[test]
+    fn slanted_rays_meet_the_printed_equation() {
+        for origin in [[2.0, -1.0, 1.5], [-1.0, 3.0, 0.75], [-2.0, -1.0, 2.0], [0.5, -2.0, -0.5]] {
+            let origin = DVec3::from(origin);
+            let ray = Ray3::<f64>::new(origin, DVec3::new(0.1, 0.05, 0.5) - origin);
+            let seen = hit(&ray, Span::ahead()).unwrap().unwrap();
+            let DVec3 { x, y, z } = seen.point;
+            // a ray from about 3 away: a dozen roundings of squares below 10
+            let residual = x * x + y * y - (1.0 - z * z) / 4.0;
+            assert!(z == 0.0 || residual.abs() < 64.0 * f64::EPSILON, "{seen:?}: {residual:e}");
+            assert!(seen.point.distance(ray.at(seen.t)) == 0.0 && seen.normal.dot(ray.direction) < 0.0);
+        }
+    }
 }

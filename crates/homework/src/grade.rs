@@ -182,25 +182,28 @@ fn open(
     in_the_open(&fresh, &files, exercise, sheet, false)
 }
 
-/// Does something for each number, on some threads; the results in order.
+/// Does something for each number, on some threads; the results in order. Where a thread cannot be had, the others
+/// do its share; this one always works.
 fn each<T: Send>(count: usize, threads: usize, one: &(impl Fn(usize) -> T + Sync)) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let results: Mutex<Vec<Option<T>>> = Mutex::new((0..count).map(|_| None).collect());
-    thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, count.max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= count {
-                        break;
-                    }
-                    let result = one(number);
-                    if let Ok(mut results) = results.lock() {
-                        results[number] = Some(result);
-                    }
-                }
-            });
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= count {
+                break;
+            }
+            let result = one(number);
+            if let Ok(mut results) = results.lock() {
+                results[number] = Some(result);
+            }
         }
+    };
+    thread::scope(|scope| {
+        for _ in 1..threads.min(count) {
+            let _ = thread::Builder::new().spawn_scoped(scope, work);
+        }
+        work();
     });
     results.into_inner().unwrap_or_default().into_iter().flatten().collect()
 }

@@ -44,7 +44,8 @@ pub(crate) struct Patience<'a> {
 const GRACE: Duration = Duration::from_secs(1);
 const GLANCE: Duration = Duration::from_millis(50);
 
-/// Runs a command with nothing to read. `Err` where it cannot be started.
+/// Runs a command with nothing to read. `Err` where it cannot be started, or where there is no thread to read what it
+/// writes; then it is ended.
 pub(crate) fn watch(command: &mut Command, patience: &Patience) -> io::Result<Ended> {
     // what nobody reads goes nowhere: a program would stumble over a pipe that is closed
     let pipe = |most: u64| if most == 0 { Stdio::null() } else { Stdio::piped() };
@@ -57,8 +58,16 @@ pub(crate) fn watch(command: &mut Command, patience: &Patience) -> io::Result<En
 }
 
 fn watch_child(mut child: Child, leash: Leash, patience: &Patience) -> io::Result<Ended> {
-    let stdout = child.stdout.take().map(|pipe| first(pipe, patience.stdout));
-    let stderr = child.stderr.take().map(|pipe| first(pipe, patience.stderr));
+    let stdout = child.stdout.take().map(|pipe| first(pipe, patience.stdout)).transpose();
+    let stderr = child.stderr.take().map(|pipe| first(pipe, patience.stderr)).transpose();
+    let (stdout, stderr) = match (stdout, stderr) {
+        (Ok(stdout), Ok(stderr)) => (stdout, stderr),
+        (Err(error), _) | (_, Err(error)) => {
+            let _ = child.kill();
+            let _ = child.wait();
+            return Err(error);
+        }
+    };
     let until = Instant::now() + patience.wall;
     let status = loop {
         let left = until.saturating_duration_since(Instant::now());
@@ -111,9 +120,9 @@ impl Drop for Leash {
 
 /// Reads the first `most` bytes on a thread of its own, piece by piece. Then the pipe is closed, so that
 /// nobody who writes on waits for a reader.
-fn first(pipe: impl Read + Send + 'static, most: u64) -> Receiver<Vec<u8>> {
+fn first(pipe: impl Read + Send + 'static, most: u64) -> io::Result<Receiver<Vec<u8>>> {
     let (sender, receiver) = channel();
-    thread::spawn(move || {
+    thread::Builder::new().spawn(move || {
         let mut pipe = pipe.take(most);
         let mut piece = vec![0; 1 << 16];
         while let Ok(count @ 1..) = pipe.read(&mut piece) {
@@ -121,8 +130,8 @@ fn first(pipe: impl Read + Send + 'static, most: u64) -> Receiver<Vec<u8>> {
                 break;
             }
         }
-    });
-    receiver
+    })?;
+    Ok(receiver)
 }
 
 fn all_of(receiver: Option<Receiver<Vec<u8>>>) -> Vec<u8> {

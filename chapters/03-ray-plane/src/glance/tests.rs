@@ -66,3 +66,15 @@ fn closed_forms() {
     assert_eq!(from_3([0.0, -2.0, 0.0]), once);
     assert_eq!(from_3([1.0, 0.0, 0.0]), Glance::Unsure);
 }
+
+/// By hand: n · d = 2^60 − 2^60 + rise, and 8u of the magnitudes is 2^−50 · 2^61 = 2^11.
+#[test]
+fn a_rise_that_rounding_may_have_made_is_unsure() {
+    let big = 2.0_f64.powi(30);
+    let along = |rise: f64| {
+        let plane = Plane { point: [0.0; 3].into(), normal: [big, big, 1.0].into() };
+        glance(&Ray3::<f64>::new([0.0, 0.0, 1.0].into(), [big, -big, rise].into()), &plane)
+    };
+    assert_eq!(along(2.0_f64.powi(9)), Glance::Unsure);
+    assert!(matches!(along(2.0_f64.powi(13)), Glance::Once(_)));
+}

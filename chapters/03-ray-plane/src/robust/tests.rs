@@ -47,6 +47,17 @@ fn products_that_vanish_are_summed_exactly() {
     assert!((as_printed / -1e275 - 1.0).abs() > 1e-12, "as printed: {as_printed:e}");
 }
 
+/// By hand: from the plane itself, away from it on either side.
+#[test]
+fn on_the_plane_is_at_plus_zero() {
+    let plane = Plane { point: DVec3::new(1.0, 2.0, 3.0), normal: DVec3::Y };
+    for up in [1.0, -1.0] {
+        let ray = Ray3::<f64>::new(DVec3::new(5.0, 2.0, -1.0), DVec3::new(1.0, up, 1.0));
+        let hit = robust(&ray, &plane).hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!((hit.t.to_bits(), hit.point), (0, ray.origin), "minus zero is zero");
+    }
+}
+
 #[test]
 fn lengths_of_the_normal_may_be_extreme() {
     let ray = Ray3::<f64>::new(DVec3::new(0.0, 3.0, 0.0), DVec3::new(0.0, -1.0, 0.0));

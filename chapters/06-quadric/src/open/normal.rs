@@ -97,3 +97,43 @@ fn unit<R: Real>([x, y, z]: [f64; 3]) -> R::Vec3 {
     let [x, y, z] = f64::xyz(f64::vec3(x, y, z).normalized()).map(R::round_from);
     R::vec3(x, y, z)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// By hand: the axis is 9 long along (1, 2, 2)/3, and (2, −2, 1)/3 is at a right angle to it. At the height 3 a
+    /// radius that goes from 5 to 2 is 4, and a slope of −⅓ turns the normal up by as much.
+    #[test]
+    fn around_a_slanted_axis() {
+        let base = DVec3::new(1.0, -1.0, 2.0);
+        let (up, out) = (DVec3::new(1.0, 2.0, 2.0) / 3.0, DVec3::new(2.0, -2.0, 1.0) / 3.0);
+        for out in [out, -out, up.cross(out)] {
+            let point = base + 3.0 * up + 4.0 * out;
+            let normal = |apex_radius: f64| {
+                OpenCone::<f64>::new(base, 5.0, base + 9.0 * up, apex_radius).normal(point)
+            };
+            let wide = |apex_radius: f64| {
+                let cone = OpenCone::<f64>::new(base, 5.0, base + 9.0 * up, apex_radius);
+                cone.wide_normal(point.to_array().map(Wide::from))
+            };
+            for normal in [normal(2.0), wide(2.0)] {
+                assert!(normal.distance((out + up / 3.0).normalize()) < 8.0 * f64::EPSILON, "{normal}");
+            }
+            for normal in [normal(5.0), wide(5.0)] {
+                assert!(normal.distance(out) < 8.0 * f64::EPSILON, "{normal}");
+            }
+        }
+    }
+
+    /// By hand: at the tip of a cone, and where products of measures vanish.
+    #[test]
+    fn where_the_gradient_says_nothing() {
+        let tip = OpenCone::<f64>::new(DVec3::ZERO, 1.0, DVec3::Z, 0.0).normal(DVec3::Z);
+        assert_eq!(tip, DVec3::Z);
+        let tiny = 1e-300;
+        let pipe = OpenCone::<f64>::new(DVec3::ZERO, tiny, DVec3::Z * tiny, tiny);
+        assert_eq!(pipe.normal(DVec3::new(-tiny, 0.0, tiny / 2.0)), -DVec3::X);
+    }
+}
