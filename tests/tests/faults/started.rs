@@ -53,9 +53,9 @@ impl Started {
         assert!(Command::new("sh").args(["-c", &kill]).status().expect("there is a shell").success());
     }
 
-    /// How it ended, be it by a signal.
-    pub(crate) fn ended(mut self) -> ExitStatus {
-        self.0.wait().expect("it ends")
+    /// How it ended, be it by a signal. What it says is read: it may be more than a pipe holds.
+    pub(crate) fn ended(self) -> ExitStatus {
+        self.0.wait_with_output().expect("it ends").status
     }
 
     /// How it ended by itself, and what it said.
