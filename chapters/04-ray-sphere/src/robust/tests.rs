@@ -81,6 +81,37 @@ fn four_ways() {
     assert_eq!(half_the_digits.chord.certainty, Certainty::AtOnce, "next to a tangent for an f32");
 }
 
+/// Of a question whose squares overflow or vanish, the answer is that of the question at scale 1, digit by digit. The
+/// eye is outside, and inside, where the near root is behind it.
+#[test]
+fn at_another_scale_with_the_same_digits() {
+    for origin in [[0.25, -0.5, -3.0], [0.25, -0.5, 0.125]] {
+        let ordinary = work(origin, [0.125, 0.25, 1.0], [0.0; 3], 1.0).chord;
+        for power in [600, -600] {
+            let scale = 2.0_f64.powi(power);
+            let far = work(origin.map(|x| x * scale), [0.125, 0.25, 1.0], [0.0; 3], scale).chord;
+            assert_eq!(far.certainty, Certainty::Scaled, "2^{power}");
+            let Roots { near, far } = far.roots.unwrap();
+            assert_eq!(Some(Roots { near: near / scale, far: far / scale }), ordinary.roots, "2^{power}");
+        }
+    }
+}
+
+/// C where a root was found from it: (½ − 2^−10)² + (½ + 2^−10)² + ½ − 1 is 2^−19, by hand.
+#[test]
+fn next_to_the_surface_c_is_told() {
+    let tiny = 2.0_f64.powi(-10);
+    let origin = [0.5 - tiny, 0.5 + tiny, 0.5_f64.sqrt()];
+    let Chord { certainty, c, roots, .. } = work(origin, [0.0, 0.0, 1.0], [0.0; 3], 1.0).chord;
+    assert_eq!(certainty, Certainty::NearSurface);
+    // √½ is rounded, so that its square is off by at most 2^−53
+    let c = c.unwrap();
+    assert!((c - 2.0_f64.powi(-19)).abs() <= 2.0_f64.powi(-53), "{c:e}");
+    // the product of the roots is C, a line along z with A = 1
+    let Roots { near, far } = roots.unwrap();
+    assert!((near * far / c - 1.0).abs() < 4.0 * f64::EPSILON);
+}
+
 /// The verdict of the oracle, and its t within what is derived beside the constants: 9 units of the last
 /// digit, 1 of `f32`.
 #[cfg(feature = "stage")]
