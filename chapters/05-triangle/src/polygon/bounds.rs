@@ -34,3 +34,53 @@ impl<R: Real> Polygon<R> {
         [low, high]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use ray_plane::Plane;
+
+    /// By hand, in the plane x + 2y + 4z = 12, seen along z, and the same with the axes in another order.
+    #[test]
+    fn the_box_goes_to_where_the_plane_is() {
+        let corners = [[2.0, 1.0, 2.0], [6.0, 1.0, 1.0], [6.0, 5.0, -1.0], [2.0, 5.0, 0.0]];
+        for turn in 0..3 {
+            let turned = |mut corner: [f64; 3]| {
+                corner.rotate_right(turn);
+                corner
+            };
+            let polygon = Polygon::<f64>::new(corners.map(turned).map(DVec3::from).to_vec()).unwrap();
+            let [low, high] = polygon.bounds();
+            let ([least, most], w) = ([[2.0, 1.0, -1.0], [6.0, 5.0, 2.0]].map(turned), (2 + turn) % 3);
+            // along z by 8 units of the last digit of its largest part, which is below 8
+            let off = 64.0 * f64::EPSILON;
+            for axis in 0..3 {
+                let beyond = [least[axis] - low[axis], high[axis] - most[axis]];
+                match axis == w {
+                    true => assert!(beyond.iter().all(|beyond| (1e-16..off).contains(beyond)), "{beyond:?}"),
+                    false => assert_eq!(beyond, [0.0; 2]),
+                }
+            }
+        }
+    }
+
+    /// A corner beside the plane, by less than is refused: the box has it, and the plane under it.
+    #[test]
+    fn a_corner_beside_the_plane_is_in_the_box() {
+        let up = 1e-5;
+        let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, up], [0.0, 4.0, 0.0]];
+        let polygon = Polygon::<f64>::new(corners.map(DVec3::from).to_vec()).unwrap();
+        let [low, high] = polygon.bounds();
+        let Plane { point, normal } = polygon.plane();
+        for [x, y, z] in corners {
+            // on the plane over the corner, and at the corner
+            let over = point.z - (normal.x * (x - point.x) + normal.y * (y - point.y)) / normal.z;
+            assert!(
+                (low[2]..=high[2]).contains(&over) && (low[2]..=high[2]).contains(&z),
+                "{low:?} {high:?}"
+            );
+        }
+        assert_eq!(([low[0], low[1]], [high[0], high[1]]), ([0.0; 2], [4.0; 2]));
+    }
+}

@@ -3,4 +3,5 @@
 
 mod class;
 mod hostile;
+mod of_the_book;
 mod ordinary;
