@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -12,6 +12,7 @@ use mdbook_driver::MDBook;
 use mdbook_driver::book::{Book, BookItem};
 use mdbook_driver::errors::Result as Done;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use stage::Scratch;
 
 use crate::figures::Figures;
 use crate::page::{Filler, place};
@@ -21,19 +22,17 @@ use crate::{Fault, links, pictures};
 /// Builds the book of the project at `root` into the folder `out`.
 ///
 /// Where anything is wrong, all of it is told, and what was in `out` before stays. An older book there is replaced;
-/// a folder with anything else in it is refused.
+/// a folder with anything else in it is refused. Where the program is interrupted, what was begun is removed, see
+/// [`stage::clean_up_when_interrupted`].
 pub fn build(root: &Path, out: &Path) -> Result<(), Vec<Fault>> {
     let whole = |what: String| vec![Fault::new("book", 0, what)];
     taken(out).map_or(Ok(()), |what| Err(whole(what)))?;
-    let aside = aside(out, "new");
-    let made = into(root, &aside, &whole).and_then(|()| {
-        swap(out, &aside).map_err(|error| whole(format!("cannot put the book at {}: {error}", out.display())))
-    });
-    if made.is_err() {
-        // What is half made is of no use to anyone, and what cannot be removed does no harm.
-        let _ = fs::remove_dir_all(&aside);
-    }
-    made
+    let failed =
+        |error: Error| whole(format!("cannot put the book at {}: {error}; write elsewhere", out.display()));
+    let new = aside(out, "new");
+    let beside = Scratch::new(|| fs::create_dir_all(&new).map(|()| new.clone())).map_err(failed)?;
+    into(root, beside.path(), &whole)?;
+    swap(out, beside.path()).map_err(failed)
 }
 
 /// Why a book cannot be put at `out`; `None` where there is nothing, nothing in it, or an older book.

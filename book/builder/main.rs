@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Arg, Command, value_parser};
+use stage::{clean_up_when_interrupted, large_files_are_errors};
 
 fn main() -> ExitCode {
     let command = Command::new("book")
@@ -19,6 +20,8 @@ fn main() -> ExitCode {
         Ok(matches) => matches,
         Err(usage) => return stage::refuse(&usage),
     };
+    clean_up_when_interrupted();
+    large_files_are_errors();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
     let out = matches.get_one::<PathBuf>("out").cloned().unwrap_or_else(|| root.join("out/book"));
     match book::build(root, &out) {
