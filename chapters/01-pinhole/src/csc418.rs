@@ -9,7 +9,7 @@ pub struct Csc418Pixel<R: Real> {
     pub i: u32,
     /// The row.
     pub j: u32,
-    /// Δu = (w_r − w_l) / (n_c − 1)
+    /// Δu = (w_r − w_l) / (n_c − 1), in units of the scene.
     pub delta_u: R,
     /// Δv = (w_b − w_t) / (n_r − 1), negative: rows go down.
     pub delta_v: R,
@@ -17,13 +17,14 @@ pub struct Csc418Pixel<R: Real> {
     pub p_camera: R::Vec3,
     /// p̄_W, the same point in world coordinates: the columns u⃗, v⃗, w⃗ times p̄_C, plus ē.
     pub p_world: R::Vec3,
-    /// d⃗ = p̄_W − ē. The ray p̄_W + λ d⃗ starts on the view plane.
+    /// d⃗ = p̄_W − ē, not normalized. The ray p̄_W + λ d⃗ starts on the view plane; the eye is at λ = −1.
     pub d: R::Vec3,
 }
 
-/// The ray of pixel (i, j) of a viewport of `size` = (n_c, n_r) pixels.
+/// CSC418 11.2: the ray of pixel (i, j), column i, row j, of a viewport of n_c `columns` and n_r `rows`,
+/// row 0 on top. Pixels outside the viewport continue the grid.
 ///
-/// [`NoGrid`] with one column or one row: the page divides by n_c − 1 and n_r − 1.
+/// [`NoGrid`] with fewer than two columns or rows: the page divides by n_c − 1 and n_r − 1.
 pub fn csc418_pixel<R: Real>(
     camera: &Camera<R>,
     (columns, rows): (u32, u32),
@@ -51,7 +52,8 @@ pub fn csc418_pixel<R: Real>(
     Ok(Csc418Pixel { i, j, delta_u, delta_v, p_camera, p_world, d })
 }
 
-/// The distance of a point from the image plane (p̄ − r̄) · w⃗ = 0, where r̄ = ē + f w⃗.
+/// The signed distance of a point in world coordinates from the image plane (p̄ − r̄) · w⃗ = 0, where
+/// r̄ = ē + f w⃗: above zero beyond the plane, below zero on the eye's side.
 pub fn off_image_plane<R: Real>(camera: &Camera<R>, point: R::Vec3) -> R {
     let r = camera.view_plane((R::from(0.0), R::from(0.0)));
     (point - r).dot(camera.w)

@@ -9,17 +9,20 @@ pub struct GambettaPixel<R: Real> {
     pub canvas: (R, R),
     /// V_w and V_h, the viewport in units of the scene.
     pub viewport: (R, R),
-    /// C_x, from the center of the canvas to the right.
+    /// C_x, in pixels from the center of the canvas to the right.
     pub c_x: R,
-    /// C_y, from the center up.
+    /// C_y, in pixels from the center up.
     pub c_y: R,
-    /// V = (V_x, V_y, d), on the viewport. O is the origin, so this is D = V − O, too.
+    /// V = (V_x, V_y, d), on the viewport, in his axes: x right, y up, z into the screen. O is the origin,
+    /// so this is D = V − O, too: not normalized, and t = 1 on the viewport.
     pub v: R::Vec3,
 }
 
 /// `CanvasToViewport(x, y)` (Listing 2-3): V_x = C_x V_w/C_w, V_y = C_y V_h/C_h, V_z = d.
 ///
-/// His viewport lies about the axis; one that does not is shifted by its center.
+/// `window` is the viewport, at the distance `d`, both in units of the scene, and (C_x, C_y) is in pixels,
+/// as [`canvas_coordinates`] has it. Neither C_w nor C_h may be 0. His viewport lies about the axis;
+/// one that does not is shifted by its center.
 pub fn canvas_to_viewport<R: Real>(
     window: &Window<R>,
     d: R,
@@ -39,8 +42,9 @@ pub fn canvas_to_viewport<R: Real>(
     GambettaPixel { canvas: (c_w, c_h), viewport: (v_w, v_h), c_x, c_y, v }
 }
 
-/// The canvas coordinates of pixel (col, row), row 0 on top: x = col − C_w/2, y = C_h/2 − row. The
-/// halves are real quotients: an odd canvas has coordinates …, −0.5, 0.5, ….
+/// The canvas coordinates of pixel (col, row), row 0 on top: x = col − C_w/2, y = C_h/2 − row, in pixels.
+/// The halves are real quotients: an odd canvas has coordinates …, −0.5, 0.5, …. A pixel outside the
+/// canvas continues them.
 pub fn canvas_coordinates<R: Real>((columns, rows): (u32, u32), (col, row): (u32, u32)) -> (R, R) {
     let [c_w, c_h, col, row] = [columns, rows, col, row].map(|number| R::round_from(f64::from(number)));
     let half = R::from(0.5);
@@ -49,7 +53,11 @@ pub fn canvas_coordinates<R: Real>((columns, rows): (u32, u32), (col, row): (u32
     // end coordinates
 }
 
-/// `PutPixel`'s other way round: the column and row of canvas coordinates that lie on the canvas.
+/// `PutPixel`'s other way round: the column and row of canvas coordinates that lie on the canvas, which is
+/// for −C_w/2 ≤ x < C_w/2 and −C_h/2 < y ≤ C_h/2.
+///
+/// What lies off it to the left or above has column or row 0, what lies off it to the right or below has one
+/// that the canvas lacks.
 pub fn canvas_pixel<R: Real>((columns, rows): (u32, u32), (x, y): (R, R)) -> (u32, u32) {
     let (x, y): (f64, f64) = (x.into(), y.into());
     ((f64::from(columns) / 2.0 + x) as u32, (f64::from(rows) / 2.0 - y) as u32)
@@ -58,7 +66,8 @@ pub fn canvas_pixel<R: Real>((columns, rows): (u32, u32), (x, y): (R, R)) -> (u3
 /// The main method (Listing 2-2): for x = −C_w/2 to C_w/2, for y = −C_h/2 to C_h/2, trace the ray and
 /// put the pixel.
 ///
-/// `trace_ray` returns the color that the ray from O along D sees, `put_pixel` takes canvas
+/// `window` and `d` are those of [`canvas_to_viewport`], `canvas` is columns and rows. `trace_ray` returns
+/// the color that the ray from O along D sees, where D is not normalized; `put_pixel` takes canvas
 /// coordinates. With both ends the loop would visit C_w + 1 columns: the left and top ends stay, the
 /// right and bottom ones go.
 pub fn main_method<R: Real, C>(

@@ -25,8 +25,11 @@ pub struct HousePixel<R: Real> {
     pub u_r: R::Vec3,
 }
 
-/// The ray through the center of pixel (i, j) of a picture of N columns and M rows, in a window at
-/// distance `z_p`.
+/// House 4.1: the ray through the center of pixel (i, j) of a picture of N columns and M rows, in a window at
+/// distance `z_p` (above zero), both in units of the scene.
+///
+/// As on the page i is the row, counted from the bottom ([`house_row`]), and j the column, the other way
+/// round than (columns, rows). Neither N nor M may be 0. Pixels outside it continue the grid.
 pub fn house_pixel<R: Real>(
     window: &Window<R>,
     z_p: R,
@@ -56,7 +59,8 @@ pub fn house_pixel<R: Real>(
     HousePixel { i, j, screen: (w, h), c, pixwidth, pixheight, p, u_r }
 }
 
-/// A point or direction of House's in camera coordinates: x right, y up, z into the scene.
+/// A point or direction of House's in camera coordinates: x right, y up, z into the scene. The same leads
+/// back.
 pub fn in_camera<R: Real>(v: R::Vec3) -> R::Vec3 {
     R::vec3(v.x(), v.y(), -v.components()[2])
 }
@@ -67,11 +71,12 @@ pub fn house_row(rows: u32, row: u32) -> u32 {
     rows.saturating_sub(1).saturating_sub(row)
 }
 
-/// House's algorithm: for each row, for each column, shoot a ray and shade what it hits.
+/// House's algorithm (4.1): for each row, for each column, shoot a ray and shade what it hits.
 ///
-/// `shoot` returns the position of the first hit of the ray from the eye along u_r, `shade` the color
-/// for it. The image comes back as the page has it, `image[i][j]` with row 0 at the bottom; written to
-/// a file like that, it stands on its head.
+/// `window`, `z_p` and the size are those of [`house_pixel`]. `shoot` returns the position of the first hit
+/// of the ray from the eye along the unit vector u_r, in House's coordinates, or `None` where there is
+/// none; `shade` returns the color for it. The image comes back as the page has it, `image[i][j]` with
+/// row 0 at the bottom; written to a file like that, it stands on its head.
 pub fn raycast<R: Real, C>(
     window: &Window<R>,
     z_p: R,

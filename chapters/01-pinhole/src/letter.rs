@@ -5,13 +5,14 @@ use math::{Real, Vector};
 /// The letter, five columns by seven rows, the top row first.
 const F: [&str; 7] = ["#####", "#....", "#....", "####.", "#....", "#....", "#...."];
 
-/// The letter stands upright at this distance, its middle on the axis, 1.4 high.
+/// The letter stands upright at this distance before the eye, its middle on the axis, 1 wide and 1.4 high.
 pub const DISTANCE: f64 = 2.0;
-/// The side of one of its squares.
+/// The side of one of its squares, in the same units.
 pub const SQUARE: f64 = 0.2;
 
-/// `shoot`: where the ray from the eye at the origin along `direction` meets the upright plane of the
-/// letter, z = [`DISTANCE`]; `None` for a ray that points away from it or runs along it.
+/// `shoot`: where the ray from the eye at the origin along `direction`, of any length, meets the upright
+/// plane of the letter, z = [`DISTANCE`] in camera coordinates (z into the scene); `None` for a ray that
+/// points away from it or runs along it.
 pub fn shoot<R: Real>(direction: R::Vec3) -> Option<R::Vec3> {
     let z = direction.components()[2];
     if z <= R::from(0.0) {
@@ -20,7 +21,7 @@ pub fn shoot<R: Real>(direction: R::Vec3) -> Option<R::Vec3> {
     Some(direction * (R::round_from(DISTANCE) / z))
 }
 
-/// `shade`: whether the point that was hit belongs to the letter.
+/// `shade`: whether the point of its plane that was hit belongs to the letter; false for a miss.
 pub fn shade<R: Real>(point: Option<R::Vec3>) -> bool {
     let Some(point) = point else { return false };
     let (x, y): (f64, f64) = (point.x().into(), point.y().into());

@@ -8,7 +8,9 @@
 //! Where on the view plane a pixel lies is a matter of taste, and each of the three notes has its own:
 //! [`house`] takes the centers of the pixels, [`gambetta`] a lattice of their corners, [`csc418`] a
 //! grid from edge to edge. Each returns a struct with every number on the way to the ray, by the
-//! formula of its page. (Later chapters take the same points from [`math::Grid`].)
+//! formula of its page. (Later chapters take the same points from [`math::Grid`].) Two pages go on to the
+//! loop over the pixels, [`house::raycast`] and [`gambetta::main_method`], and [`letter`] is what there is
+//! to see.
 //!
 //! The lowest row of a window of four by four pixels, one unit away, and its column at the right:
 //!

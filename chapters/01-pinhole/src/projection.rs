@@ -2,7 +2,8 @@
 
 use math::{Ray2, Real, Vector};
 
-/// The side view of a projection: z is the distance from the eye, y the height above it.
+/// The side view of a projection: z is the distance from the eye, y the height above it, both in units of
+/// the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<R> {
     /// The object's height.
@@ -17,8 +18,11 @@ pub struct Projection<R> {
     pub y_film: R,
 }
 
-/// Projects an object point: y_p / z_p = y_0 / z_0. `None` for z_0 = 0, a point beside the eye, which
-/// has no picture. (For z_0 < 0 the point is behind the eye, and not seen.)
+/// Projects an object point to a view plane at the distance `z_p` above zero: y_p / z_p = y_0 / z_0 (House
+/// 4.1).
+///
+/// `None` for z_0 = 0, a point beside the eye, which has no picture. (For z_0 < 0 the point is behind the
+/// eye and not seen; what is returned is where the line through it and the eye meets the plane.)
 pub fn project<R: Real>(y_0: R, z_0: R, z_p: R) -> Option<Projection<R>> {
     if z_0 == R::from(0.0) {
         return None;
@@ -32,17 +36,18 @@ pub fn project<R: Real>(y_0: R, z_0: R, z_p: R) -> Option<Projection<R>> {
 /// backwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CastThrough<R: Real> {
-    /// From the eye (0, 0) through (y_p, z_p); components are (y, z), as in the page's triangles.
+    /// From the eye (0, 0) through (y_p, z_p); components are (y, z), as in the page's triangles. Its
+    /// direction is not normalized: t = 1 on the view plane.
     pub ray: Ray2<R>,
-    /// z_0 / z_p: where the ray is at the object's distance.
+    /// z_0 / z_p: where the ray is at the object's distance, in lengths of its direction.
     pub t: R,
     /// The point there; on paper it is (y_0, z_0).
     pub point: R::Vec2,
-    /// How far that is from the object.
+    /// How far that is from the object, in units of the scene.
     pub residual: R,
 }
 
-/// Casts the ray of a projection.
+/// Casts the ray of a projection, whose z_p must not be 0.
 pub fn cast_through<R: Real>(projection: &Projection<R>) -> CastThrough<R> {
     let Projection { y_0, z_0, z_p, y_p, .. } = *projection;
     let zero = R::from(0.0);

@@ -7,7 +7,7 @@ use stage::{Ink, Section, Sketch};
 use crate::stage::{ORIGIN, WALL, explain, why};
 use crate::{Crossing, Method, Wall};
 
-/// House's ray and wall, for the start.
+/// A ray and a wall as they are dragged; House's for the start.
 pub struct RayAndWall {
     p_r: Place,
     /// p_r + u_r

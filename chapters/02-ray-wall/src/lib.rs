@@ -40,7 +40,7 @@ use math::{Degenerate, Hit, Parallel, Ray2, Real, Roots, Span, Vector};
 pub use notes::{Notes, notes};
 pub use robust::{Robust, robust};
 
-/// An upright wall: front ≤ x ≤ back, for every y.
+/// An upright wall: front ≤ x ≤ back, for every y (House 4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall<R> {
     /// The x of its front face.
@@ -55,7 +55,7 @@ pub type Hit2<R> = Hit<R, <R as Real>::Vec2>;
 /// Where a line meets a wall, or why it has no single t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Crossing<R> {
-    /// It enters by one face and leaves by the other.
+    /// It enters by one face and leaves by the other, at these t, which may be negative.
     Through(Roots<R>),
     /// It runs along the wall: apart from the faces (inside or outside), or within one of them.
     Along(Parallel),
@@ -79,14 +79,16 @@ impl<R: Real> Wall<R> {
         Ok(())
     }
 
-    /// How a ray with u_x = 0 runs along this wall. Decided on the numbers as given, so exactly.
+    /// How a ray with u_x = 0 runs along this wall: [`Parallel::Within`] a face, or [`Parallel::Apart`] from
+    /// both, inside the wall or outside. Decided on the numbers as given, so exactly.
     #[inline(always)]
     pub fn along(&self, ray: &Ray2<R>) -> Parallel {
         let p_x = ray.origin.x();
         if p_x == self.front || p_x == self.back { Parallel::Within } else { Parallel::Apart }
     }
 
-    /// The outward normal of the face that the line of `ray` enters by (`far` = false) or leaves by.
+    /// The outward unit normal of the face that the line of `ray` enters by (`far` = false) or leaves by. Its
+    /// u_x must not be 0.
     #[inline(always)]
     pub fn normal(&self, ray: &Ray2<R>, far: bool) -> R::Vec2 {
         let (zero, one) = (R::from(0.0), R::from(1.0));
@@ -116,7 +118,8 @@ impl Method {
         }
     }
 
-    /// Works the method out for one ray and one wall.
+    /// Works the method out for one ray and one wall. Degenerate ones give values that mean nothing;
+    /// [`Working::hit`] refuses them.
     pub fn work<R: Real>(self, ray: &Ray2<R>, wall: &Wall<R>) -> Working<R> {
         match self {
             Method::Notes => Working::Notes(notes(ray, wall)),
@@ -135,7 +138,7 @@ pub enum Working<R: Real> {
 }
 
 impl<R: Real> Working<R> {
-    /// Where the line of the ray meets the wall.
+    /// Where the line of the ray meets the wall. Means nothing for what [`Wall::check`] refuses.
     pub fn crossing(&self) -> Crossing<R> {
         match self {
             Working::Notes(work) => work.crossing(),
@@ -143,7 +146,10 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
+    /// The nearest hit in `span`: for a ray that starts inside, where it leaves.
+    ///
+    /// `None` for a miss, which a ray along the wall is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Wall::check`].
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         match self {
             Working::Notes(work) => work.hit(span),

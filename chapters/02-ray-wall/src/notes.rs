@@ -11,13 +11,13 @@ pub struct Notes<R: Real> {
     pub ray: Ray2<R>,
     /// The wall.
     pub wall: Wall<R>,
-    /// Where the line is at x = front: (front − p_x) / u_x. Infinite or NaN where u_x = 0.
+    /// Where the line is at x = front, in lengths of u_r: (front − p_x) / u_x. Infinite or NaN where u_x = 0.
     pub t_front: R,
-    /// Where the line is at x = back.
+    /// Where the line is at x = back, likewise.
     pub t_back: R,
 }
 
-/// Works out House's method, for a direction of any length but zero.
+/// Works out House's method (4.2), for a direction of any length but zero.
 ///
 /// A degenerate ray or wall gives values that mean nothing; [`Notes::hit`] refuses them.
 #[inline]
@@ -34,8 +34,10 @@ pub fn notes<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Notes<R> {
 }
 
 impl<R: Real> Notes<R> {
-    /// Inside the wall for t_front ≤ t ≤ t_back, or the other way round for a ray that points to −x.
-    /// (The page prints "3 ≥ t ≥ 3.5", which no t satisfies.)
+    /// Where the line of the ray meets the wall: it is inside for t_front ≤ t ≤ t_back, or the other way
+    /// round for a ray that points to −x. (The page prints "3 ≥ t ≥ 3.5", which no t satisfies.)
+    ///
+    /// Means nothing for what [`Wall::check`] refuses.
     #[inline]
     pub fn crossing(&self) -> Crossing<R> {
         // exercise crossing: Where does the line enter, where does it leave, and which lines do neither?
@@ -48,6 +50,8 @@ impl<R: Real> Notes<R> {
 
     /// The nearest hit in `span`: "we take t = 3". A ray that starts inside hits where it leaves; one
     /// that runs along the wall has no hit.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Wall::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         self.wall.check(&self.ray)?;

@@ -11,7 +11,8 @@ use stage::Precision::F64;
 
 use crate::Wall;
 
-/// Every regime of the chapter, the ordinary one first.
+/// Every regime of the chapter, the ordinary one first. Each draws the numbers of a row of a case file: the
+/// ray's origin and direction, and the wall's front and back.
 pub fn regimes() -> Vec<Regime<6>> {
     vec![
         Regime {

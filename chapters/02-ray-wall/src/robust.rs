@@ -32,7 +32,7 @@ pub struct Robust<R: Real> {
     pub ray: Ray2<R>,
     /// The wall.
     pub wall: Wall<R>,
-    /// front − p_x and back − p_x, rounded to `f64`.
+    /// front − p_x and back − p_x, rounded to `f64`; infinite where they overflow.
     pub to_faces: [f64; 2],
     /// The same divided by u_x: t_front and t_back but for their last digits. `None` where that is not
     /// certain, or there is no t.
@@ -42,7 +42,7 @@ pub struct Robust<R: Real> {
 /// Between these, u_x and the quotients, neither a product nor its rounding error overflows or vanishes.
 const SAFE: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction of any length but zero.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray2<R>, wall: &Wall<R>) -> Robust<R> {
     let [p_x, p_y, u_x, u_y]: [f64; 4] =
@@ -92,12 +92,13 @@ impl<R: Real> Robust<R> {
         corrected(face.into(), self.ray.origin.x().into(), self.ray.direction.x().into(), quotient)
     }
 
-    /// (front − p_x) / u_x, rounded; `None` where there is none.
+    /// (front − p_x) / u_x, rounded, with no negative one rounded to zero; `None` where u_x = 0, and for a
+    /// degenerate ray or wall.
     pub fn t_front(&self) -> Option<R> {
         Some(self.faces()?[0])
     }
 
-    /// (back − p_x) / u_x, rounded; `None` where there is none.
+    /// (back − p_x) / u_x, like [`Robust::t_front`].
     pub fn t_back(&self) -> Option<R> {
         Some(self.faces()?[1])
     }
@@ -110,7 +111,7 @@ impl<R: Real> Robust<R> {
         Some(faces.map(|t| R::root_from(t) + R::from(0.0))) // minus zero is zero
     }
 
-    /// Where the line of the ray meets the wall.
+    /// Where the line of the ray meets the wall. Means nothing for what [`Wall::check`] refuses.
     pub fn crossing(&self) -> Crossing<R> {
         match self.faces() {
             Some([front, back]) => Crossing::Through(Roots::sorted(front, back)),
@@ -119,6 +120,9 @@ impl<R: Real> Robust<R> {
     }
 
     /// The nearest hit in `span`. The x of the point is the face; its y is p_y + t u_y.
+    ///
+    /// `None` for a miss, which a ray along the wall is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Wall::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit2<R>>, Degenerate> {
         let (ray, wall) = (self.ray, self.wall);

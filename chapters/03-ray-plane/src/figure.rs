@@ -7,7 +7,7 @@ use stage::{Ink, Section, Sketch};
 use crate::stage::explain;
 use crate::{Meeting, Method, Plane};
 
-/// A ray that comes down to the ground, for the start.
+/// A ray and a plane as they are dragged; a ray that comes down to the ground for the start.
 pub struct RayAndPlane {
     p_r: Place,
     /// p_r + u_r

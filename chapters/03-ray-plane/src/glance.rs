@@ -13,7 +13,9 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 /// Between these, neither the products nor their errors overflow or vanish.
 const SAFE: std::ops::RangeInclusive<f64> = 1e-140..=1e140;
 
-/// Whether the line of the ray meets the plane, and roughly where. Of a ray or a plane that is none: [`Glance::Unsure`].
+/// Whether the line of the ray meets the plane, and roughly where: [`Glance::Once`], be it ahead or behind.
+///
+/// [`Glance::Unsure`] where the line is parallel or nearly so, and for a degenerate ray or plane.
 #[inline(always)]
 pub fn glance<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Glance {
     let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);

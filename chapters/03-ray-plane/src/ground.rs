@@ -5,7 +5,7 @@ use math::{Camera, Degenerate, Handedness, Ray3, Real, Vector, Window};
 
 use crate::Plane;
 
-/// How much of the window, which is 1 high, is above the horizon.
+/// How much of the window of [`camera`], which is 1 high, is above the horizon.
 pub const SKY: f64 = 0.25;
 
 /// The ground: y = 0, its normal up.
@@ -15,7 +15,9 @@ pub fn ground<R: Real>() -> Plane<R> {
 }
 
 /// An eye at (0, 1, 0) looking along −z, House's way, at a window of height 1 whose upper quarter is
-/// above the horizon.
+/// above the horizon, at distance 1. `size` is the picture's, in pixels.
+///
+/// [`Degenerate::NotFinite`] for a picture without rows.
 pub fn camera<R: Real>(size: (u32, u32)) -> Result<Camera<R>, Degenerate> {
     let (zero, one) = (R::from(0.0), R::from(1.0));
     let window = Window {
@@ -27,7 +29,8 @@ pub fn camera<R: Real>(size: (u32, u32)) -> Result<Camera<R>, Degenerate> {
     Camera::looking(eye, forward, up, Handedness::Right, one, window)
 }
 
-/// The ray of a pixel, through its center (House 4.1). The direction has z = −1, so t is the depth.
+/// The ray of a pixel (column, row), row 0 on top, through its center (House 4.1). The direction is not
+/// normalized: for the camera of this scene it has z = −1, so t is the depth.
 pub fn pixel_ray<R: Real>(camera: &Camera<R>, size: (u32, u32), pixel: (u32, u32)) -> Ray3<R> {
     camera.ray(centers(&camera.window, size, pixel))
 }

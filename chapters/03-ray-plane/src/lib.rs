@@ -5,7 +5,10 @@
 //! then asks what happens when the ray is parallel, and leaves the answer to the reader; here it is
 //! [`Meeting`]: [`parallel`] and apart, or within the plane, and both are n · u_r = 0, exactly.
 //!
-//! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain.
+//! [`mod@notes`] is Equation 4.2 as printed, [`mod@robust`] the same with both dot products certain. Both
+//! return a struct with every number on the way, whose `hit(span)` is the answer. [`mod@glance`] is no
+//! method, but what can be said at once of a plane among many shapes; [`ground`] is the scene of the
+//! picture.
 //!
 //! Three above the ground, looking down at a slant, and level:
 //!
@@ -50,7 +53,7 @@ pub use notes::{Notes, notes};
 pub use robust::{Robust, robust};
 pub use signed_distance::{Side, SignedDistance, signed_distance};
 
-/// The plane through a point at right angles to a normal: n · (x − p_0) = 0.
+/// The plane through a point at right angles to a normal: n · (x − p_0) = 0 (House 4.3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<R: Real> {
     /// p_0, any point of the plane.
@@ -65,7 +68,7 @@ pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
 /// Where the line of a ray meets a plane, or why there is no single t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meeting<R> {
-    /// At one t, which may be negative.
+    /// At one t, in lengths of the ray's direction, which may be negative.
     At(R),
     /// n · u_r = 0: the line never meets the plane, or lies within it.
     Never(Parallel),
@@ -116,7 +119,8 @@ impl Method {
         }
     }
 
-    /// Works the method out for one ray and one plane.
+    /// Works the method out for one ray and one plane. Degenerate ones give values that mean nothing;
+    /// [`Working::hit`] refuses them.
     pub fn work<R: Real>(self, ray: &Ray3<R>, plane: &Plane<R>) -> Working<R> {
         match self {
             Method::Notes => Working::Notes(notes(ray, plane)),
@@ -135,7 +139,7 @@ pub enum Working<R: Real> {
 }
 
 impl<R: Real> Working<R> {
-    /// Where the line of the ray meets the plane.
+    /// Where the line of the ray meets the plane. Means nothing for what [`Plane::check`] refuses.
     pub fn meeting(&self) -> Meeting<R> {
         match self {
             Working::Notes(work) => work.meeting(),
@@ -143,7 +147,8 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The signed distance of the ray's origin from the plane, in units of length.
+    /// The signed distance of the ray's origin from the plane, in units of the scene whatever ‖n‖ is. Means
+    /// nothing for what [`Plane::check`] refuses.
     pub fn distance(&self) -> R {
         match self {
             Working::Notes(work) => work.distance(),
@@ -151,8 +156,10 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The hit, where its t lies in `span`; `None` for a miss, [`Degenerate`] for a question without an
-    /// answer.
+    /// The hit, where its t lies in `span`. The normal is n / ‖n‖, on whichever side the ray comes from.
+    ///
+    /// `None` for a miss, which a ray within the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Plane::check`].
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::Notes(work) => work.hit(span),

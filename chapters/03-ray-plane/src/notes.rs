@@ -18,11 +18,11 @@ pub struct Notes<R: Real> {
     pub n_dot_p: R,
     /// n · u_r: how fast the ray leaves the plane, in units of ‖n‖ a length of u_r.
     pub n_dot_u: R,
-    /// −n · (p_r − p_0) / n · u_r, Eq. 4.2. Infinite or NaN where n · u_r = 0.
+    /// −n · (p_r − p_0) / n · u_r, Eq. 4.2, in lengths of u_r. Infinite or NaN where n · u_r = 0.
     pub t: R,
 }
 
-/// Works out House's method, for a direction and a normal of any length but zero.
+/// Works out House's method (Eq. 4.2), for a direction and a normal of any length but zero.
 ///
 /// A degenerate ray or plane gives values that mean nothing; [`Notes::hit`] refuses them.
 #[inline]
@@ -60,12 +60,15 @@ impl<R: Real> Notes<R> {
         // end meeting
     }
 
-    /// The signed distance of the origin from the plane.
+    /// The signed distance of the origin from the plane, in units of the scene; NaN where n is zero.
     pub fn distance(&self) -> R {
         signed_distance(self.ray.origin, &self.plane).d
     }
 
     /// The hit, where its t lies in `span`. The normal is n / ‖n‖, on whichever side the ray comes from.
+    ///
+    /// `None` for a miss, which a ray within the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Plane::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.plane.check(&self.ray)?;

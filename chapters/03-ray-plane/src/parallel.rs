@@ -15,7 +15,7 @@ const ERROR: f64 = 1.0 / (1u64 << 50) as f64;
 const SMALLEST_SAFE: f64 = 1e-280;
 
 /// How the ray runs along the plane; `None` where n · u_r ≠ 0. Decided on the numbers as given, which
-/// must be finite.
+/// must be finite. A direction or a normal that is zero counts as parallel.
 #[inline(always)]
 pub fn parallel<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Option<Parallel> {
     let [n, u]: [[f64; 3]; 2] = [plane.normal, ray.direction].map(|v| v.in_f64());

@@ -11,7 +11,8 @@ use stage::Precision::{F32, F64};
 
 use crate::Plane;
 
-/// Every regime of the chapter, the ordinary one first.
+/// Every regime of the chapter, the ordinary one first. Each draws the numbers of a row of a case file: the
+/// ray's origin and direction, and the plane's point and normal.
 pub fn regimes() -> Vec<Regime<12>> {
     vec![
         Regime {

@@ -35,17 +35,17 @@ pub struct Robust<R: Real> {
     pub ray: Ray3<R>,
     /// The plane.
     pub plane: Plane<R>,
-    /// n · (p_r − p_0)
+    /// n · (p_r − p_0), as in [`Notes`](crate::Notes).
     pub n_dot_p: CertainSum,
-    /// n · u_r
+    /// n · u_r, likewise.
     pub n_dot_u: CertainSum,
     found: Found,
 }
 
-/// A dot product whose sign is exact and whose digits are right.
+/// A dot product whose sign is exact and whose digits are right to the precision of the ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CertainSum {
-    /// The sum in `f64`.
+    /// The sum in `f64`; NaN for a degenerate ray or plane.
     pub value: f64,
     /// How it was found.
     pub certainty: Certainty,
@@ -65,7 +65,7 @@ pub enum Certainty {
 }
 
 impl CertainSum {
-    /// How it was found.
+    /// How it was found, in words for a transcript.
     pub fn meaning(&self) -> &'static str {
         match self.certainty {
             Certainty::AtOnce => "certain at once",
@@ -87,7 +87,7 @@ enum Found {
     Degenerate,
 }
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction and a normal of any length but zero.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
     let (p_r, u_r): ([f64; 3], [f64; 3]) = (ray.origin.in_f64(), ray.direction.in_f64());
@@ -116,7 +116,7 @@ pub fn robust<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Robust<R> {
 impl<R: Real> Robust<R> {
     /// Where the line of the ray meets the plane; parallel is decided exactly.
     ///
-    /// The numbers must be finite; see [`Plane::check`].
+    /// Means nothing for what [`Plane::check`] refuses.
     pub fn meeting(&self) -> Meeting<R> {
         match self.found {
             Found::At(t) => Meeting::At(R::root_from(t)),
@@ -125,12 +125,17 @@ impl<R: Real> Robust<R> {
         }
     }
 
-    /// The signed distance of the origin from the plane: n · (p_r − p_0) / ‖n‖.
+    /// The signed distance of the origin from the plane, in units of the scene: n · (p_r − p_0) / ‖n‖. Zero
+    /// for a degenerate ray or plane.
     pub fn distance(&self) -> R {
         careful::distance(&self.ray, &self.plane)
     }
 
-    /// The hit, where its t lies in `span`: x = p_r + t u_r, and n / ‖n‖.
+    /// The hit, where its t lies in `span`: x = p_r + t u_r, and n / ‖n‖, on whichever side the ray comes
+    /// from.
+    ///
+    /// `None` for a miss, which a ray within the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Plane::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         let (ray, plane) = (self.ray, self.plane);

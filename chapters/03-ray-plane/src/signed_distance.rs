@@ -9,7 +9,7 @@ use crate::Plane;
 pub struct SignedDistance<R: Real> {
     /// x − p_0, from the plane's point to x.
     pub from_plane: R::Vec3,
-    /// d = n · (x − p_0) with n / ‖n‖ for n, in units of length. (House's n has length 1.)
+    /// d = n · (x − p_0) with n / ‖n‖ for n, in units of the scene. (House's n has length 1.)
     pub d: R,
 }
 
@@ -24,7 +24,7 @@ pub enum Side {
     Below,
 }
 
-/// Works out the distance of the point `x` from a plane whose normal is not zero.
+/// Works out House's distance (4.3) of the point `x` from a plane whose normal is not zero; else d is NaN.
 pub fn signed_distance<R: Real>(x: R::Vec3, plane: &Plane<R>) -> SignedDistance<R> {
     // exercise d: Which vector leads from the plane's point to x, and how much of it goes along the normal?
     let from_plane = x - plane.point;
@@ -34,7 +34,7 @@ pub fn signed_distance<R: Real>(x: R::Vec3, plane: &Plane<R>) -> SignedDistance<
 }
 
 impl<R: Real> SignedDistance<R> {
-    /// The meaning of the sign.
+    /// The meaning of the sign. d must not be NaN, which would pass for [`Side::On`].
     pub fn side(&self) -> Side {
         let zero = R::from(0.0);
         // exercise side: What does the sign of d say?
@@ -48,7 +48,7 @@ impl<R: Real> SignedDistance<R> {
 }
 
 impl Side {
-    /// The word for it.
+    /// The word for it: `above`, `on the plane` or `below`.
     pub fn name(self) -> &'static str {
         match self {
             Side::Above => "above",

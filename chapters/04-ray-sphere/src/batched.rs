@@ -50,13 +50,13 @@ pub struct Batched<R: Real> {
     pub c: R,
     /// D = B² − A C
     pub d: R,
-    /// −B/A + √D/A, the larger root. NaN where D < 0.
+    /// −B/A + √D/A, the larger root, in lengths of d. NaN where D < 0.
     pub lambda_1: R,
     /// −B/A − √D/A, the smaller root. NaN where D < 0.
     pub lambda_2: R,
 }
 
-/// Works out CSC418's method without a branch, for a direction of any length but zero.
+/// Works out CSC418's method (11.3.3) without a branch, for a direction of any length but zero.
 ///
 /// This is one lane, and what every lane of a batch does. A degenerate ray or sphere gives values that
 /// mean nothing; [`Batched::hit`] refuses them.
@@ -97,6 +97,8 @@ impl<R: Real> Batched<R> {
     }
 
     /// The nearest hit in `span`: this ray goes through the machinery, in every lane of a packet.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         let mut packet = Packet::empty();
         for lane in 0..LANES {

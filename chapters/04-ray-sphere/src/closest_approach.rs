@@ -14,21 +14,21 @@ pub struct ClosestApproach<R: Real> {
     pub ray: Ray3<R>,
     /// The sphere.
     pub sphere: Sphere<R>,
-    /// ‖D‖, the length of the direction as given.
+    /// ‖D‖, the length of the direction as given; 1 by [`closest_approach_of_unit`].
     pub length: R,
     /// The unit direction.
     pub u_r: R::Vec3,
-    /// Where along the ray the center is nearest.
+    /// u_r · (c − p_r), where along the ray the center is nearest, as a distance.
     pub t_close: R,
     /// The point there. (The page writes p_r + t u_r; it means t_close.)
     pub x_close: R::Vec3,
     /// Its distance from the center.
     pub d: R,
-    /// Half the chord: from x_close to the surface either way. `None` where d > r, a miss.
+    /// √(r² − d²), half the chord: from x_close to the surface either way. `None` where d > r, a miss.
     pub a: Option<R>,
 }
 
-/// Works out House's method.
+/// Works out House's method (4.4), for a direction of any length but zero.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`ClosestApproach::hit`] refuses them.
 #[inline]
@@ -37,7 +37,7 @@ pub fn closest_approach<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestAp
     along(ray, sphere, length, ray.direction / length)
 }
 
-/// The same for a ray whose direction has length 1, as House's have: nothing is divided, nothing checked.
+/// The same for a direction of length 1, as House's have, and no other: nothing is divided, nothing checked.
 #[inline]
 pub fn closest_approach_of_unit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> ClosestApproach<R> {
     along(ray, sphere, R::from(1.0), ray.direction)
@@ -80,6 +80,8 @@ impl<R: Real> ClosestApproach<R> {
 
     /// The nearest hit in `span`: x_hit = p_r + (t_close ∓ a) u_r. (The page takes t_close − a even where
     /// that is behind the origin.)
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.check(&self.ray)?;

@@ -8,7 +8,7 @@ use crate::explain::explain;
 use crate::scene::Painted;
 use crate::{Method, Sphere, closest_approach};
 
-/// The ray of the worked example and the red sphere, for the start.
+/// A ray and a sphere as they are dragged; the ray of the worked example and the red sphere for the start.
 pub struct RayAndSphere {
     p_r: Place,
     /// p_r + D

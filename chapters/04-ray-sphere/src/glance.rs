@@ -43,20 +43,21 @@ pub struct Line {
 /// How a line passes the center of a sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage {
-    /// t_close = L·d / A
+    /// t_close = L·d / A, in lengths of the direction.
     pub t_close: f64,
-    /// a² = r² − P·P
+    /// a² = r² − P·P, below zero where the line passes by.
     pub half_chord_squared: f64,
     /// L·L + r², of which the error is a share.
     pub scale: f64,
     /// The sphere is surely not met ahead of the origin: the line passes by it, or leaves it behind.
     pub is_missed: bool,
-    /// The numbers are such that their errors are as they are bounded.
+    /// The numbers are such that their errors are as they are bounded. Where they are not, nothing is
+    /// certain.
     pub is_safe: bool,
 }
 
 impl Line {
-    /// The line of a ray.
+    /// The line of a ray, which may be degenerate: then every glance along it is [`Glance::Unsure`].
     #[inline(always)]
     pub fn of<R: Real>(ray: &Ray3<R>) -> Line {
         let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
@@ -64,7 +65,8 @@ impl Line {
         Line { o, d, one_over_a: 1.0 / a, is_safe: SAFE_SQUARE.contains(&a) }
     }
 
-    /// Past a sphere with the center c and the squared radius r², which must neither overflow nor vanish.
+    /// Past a sphere with the center c and the squared radius r², which must neither overflow nor vanish, see
+    /// [`is_safe`].
     #[inline(always)]
     pub fn past(&self, c: [f64; 3], r_r: f64) -> Passage {
         let Line { o, d, .. } = *self;
@@ -82,7 +84,8 @@ impl Line {
         Passage { t_close, half_chord_squared, scale, is_missed, is_safe }
     }
 
-    /// What that says.
+    /// What that says, of a passage of this line: [`Glance::Misses`] where nothing is met ahead, else
+    /// [`Glance::Twice`], or [`Glance::Unsure`] where the line may graze or a number is out of range.
     #[inline(always)]
     pub fn glance(&self, passage: &Passage) -> Glance {
         let Passage { t_close, half_chord_squared, scale, is_missed, is_safe } = *passage;
@@ -99,8 +102,10 @@ impl Line {
     }
 }
 
-/// Whether the ray meets the sphere ahead, and roughly where its line crosses it. Of a ray or a sphere that is none:
-/// [`Glance::Unsure`].
+/// Whether the ray meets the sphere ahead, and roughly where its line crosses it, ahead or behind, as
+/// [`Line::glance`] has it.
+///
+/// [`Glance::Unsure`] for a degenerate ray or sphere.
 #[inline(always)]
 pub fn glance<R: Real>(line: &Line, sphere: &Sphere<R>) -> Glance {
     let (c, r): ([f64; 3], f64) = (sphere.center.in_f64(), sphere.radius.into());

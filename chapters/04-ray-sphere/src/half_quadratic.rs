@@ -21,9 +21,9 @@ pub struct HalfQuadratic<R: Real> {
     pub c: R,
     /// D = B² − A C, a quarter of Gambetta's discriminant
     pub d: R,
-    /// −B/A + √D/A, the larger root. `None` where D < 0.
+    /// −B/A + √D/A, the larger root, in lengths of d. `None` where D < 0.
     pub lambda_1: Option<R>,
-    /// −B/A − √D/A, the smaller root.
+    /// −B/A − √D/A, the smaller root, likewise.
     pub lambda_2: Option<R>,
 }
 
@@ -36,7 +36,7 @@ pub enum Visibility {
     Inside,
     /// λ1 > λ2 > 0.
     InFront,
-    /// A root is exactly zero, which the page leaves out: the sphere touches the view plane here.
+    /// A root is exactly zero, which the page leaves out: a crossing lies on the view plane itself.
     Touching,
 }
 
@@ -52,7 +52,7 @@ impl Visibility {
     }
 }
 
-/// Works out CSC418's method, for a direction of any length but zero.
+/// Works out CSC418's method (11.3.3), for a direction of any length but zero.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`HalfQuadratic::hit`] refuses them.
 #[inline]
@@ -86,7 +86,8 @@ impl<R: Real> HalfQuadratic<R> {
         Some(Roots { near: self.lambda_2?, far: self.lambda_1? })
     }
 
-    /// Which of the page's cases this is; `None` for a miss.
+    /// Which of the page's cases this is, for a ray that starts on the view plane; a grazing ray, with D = 0,
+    /// counts by its one root. `None` for a miss. Means nothing for what [`Sphere::check`] refuses.
     pub fn visibility(&self) -> Option<Visibility> {
         let Roots { near, far } = self.roots()?;
         let zero = R::from(0.0);
@@ -101,6 +102,8 @@ impl<R: Real> HalfQuadratic<R> {
     }
 
     /// The nearest hit in `span`.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.first_hit(&self.ray, self.roots(), span)

@@ -10,6 +10,9 @@
 //! Each method takes a [`Ray3`] and a [`Sphere`] and returns a struct with every number on the way;
 //! its `roots()` are the two crossings and its `hit(span)` the answer. [`Method`] lists them all.
 //!
+//! [`mod@glance`] is no method, but what can be said at once of a sphere among many shapes. [`scene`] is
+//! Gambetta's three spheres and his `TraceRay`.
+//!
 //! Straight at a sphere of radius 1, five away:
 //!
 //! ```
@@ -94,7 +97,8 @@ impl<R: Real> Sphere<R> {
 
     /// The hit at the smaller of two roots that lies in `span`: x = p_r + t u_r, n = (x − c) / r.
     ///
-    /// `None` where the line misses (no roots) or both roots lie outside the span.
+    /// The roots are in lengths of the ray's direction. `None` where the line misses (no roots) or both roots
+    /// lie outside the span, [`Degenerate`] where [`Sphere::check`] refuses.
     #[inline]
     pub fn first_hit(
         &self,
@@ -107,7 +111,8 @@ impl<R: Real> Sphere<R> {
         Ok(Some(self.hit_at(t, ray.at(t))))
     }
 
-    /// The hit at a point of the sphere, with its outward normal n = (x − c) / r.
+    /// The hit at a point of the sphere, with its outward normal n = (x − c) / r. t and the point are taken
+    /// as they are; n has length 1 as nearly as the point is on the sphere.
     #[inline]
     pub fn hit_at(&self, t: R, point: R::Vec3) -> Hit3<R> {
         Hit { t, point, normal: (point - self.center) / self.radius }
@@ -154,7 +159,8 @@ impl Method {
         }
     }
 
-    /// Works the method out for one ray and one sphere.
+    /// Works the method out for one ray and one sphere. Degenerate ones give values that mean nothing;
+    /// [`Working::hit`] refuses them.
     pub fn work<R: Real>(self, ray: &Ray3<R>, sphere: &Sphere<R>) -> Working<R> {
         match self {
             Method::ClosestApproach => Working::ClosestApproach(closest_approach(ray, sphere)),
@@ -185,7 +191,8 @@ pub enum Working<R: Real> {
 }
 
 impl<R: Real> Working<R> {
-    /// The two crossings, in lengths of the direction as given; `None` where the line misses.
+    /// The two crossings, in lengths of the direction as given; either may be negative. `None` where the line
+    /// misses. Means nothing for what [`Sphere::check`] refuses.
     pub fn roots(&self) -> Option<Roots<R>> {
         match self {
             Working::ClosestApproach(work) => work.roots(),
@@ -197,7 +204,9 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
+    /// The nearest hit in `span`: for a ray that starts inside, where it leaves. The normal points outward.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::ClosestApproach(work) => work.hit(span),

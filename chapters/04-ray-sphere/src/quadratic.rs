@@ -21,14 +21,14 @@ pub struct Quadratic<R: Real> {
     pub c: R,
     /// b² − 4ac: its sign tells how many roots there are.
     pub discriminant: R,
-    /// (−b + √discriminant) / 2a, the larger root. `None` where the discriminant is negative (the
-    /// listing returns inf, which its caller's [1, inf] contains).
+    /// (−b + √discriminant) / 2a, the larger root, in lengths of D. `None` where the discriminant is negative
+    /// (the listing returns inf, which its caller's [1, inf] contains).
     pub t1: Option<R>,
-    /// (−b − √discriminant) / 2a, the smaller root.
+    /// (−b − √discriminant) / 2a, the smaller root, likewise.
     pub t2: Option<R>,
 }
 
-/// Works out Gambetta's method, for a direction of any length but zero.
+/// Works out Gambetta's method (Listing 2-5), for a direction of any length but zero.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`Quadratic::hit`] refuses them.
 #[inline]
@@ -64,6 +64,8 @@ impl<R: Real> Quadratic<R> {
     }
 
     /// The nearest hit in `span` (Listing 2-4's t_min and t_max).
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.first_hit(&self.ray, self.roots(), span)

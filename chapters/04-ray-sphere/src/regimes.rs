@@ -17,7 +17,8 @@ use draw::{
 };
 pub(crate) use draw::{ordinary_that, passing};
 
-/// Every regime of the chapter, the ordinary one first.
+/// Every regime of the chapter, the ordinary one first. Each draws the numbers of a row of a case file: the
+/// ray's origin and direction, and the sphere's center and radius.
 pub fn regimes() -> Vec<Regime<10>> {
     vec![
         Regime {

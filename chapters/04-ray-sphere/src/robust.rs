@@ -47,8 +47,9 @@ use math::{Degenerate, Hit, Ray3, Real, Roots, Span, TwoPart, Vector};
 
 use crate::{Hit3, Sphere};
 
-/// Every number of the robust method in `f64`. What is worked out with twice the digits is rounded for
-/// the reader, so one line may not follow from the line above as it is printed.
+/// Every number of the robust method, in `f64` whatever the precision of the ray. What is worked out with
+/// twice the digits is rounded for the reader, so one line may not follow from the line above as it is
+/// printed.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`Robust::hit`] refuses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +88,8 @@ pub struct Chord {
     pub h: Option<f64>,
     /// C = L · L − r², where the smaller root was found from it and not from t_close ∓ h.
     pub c: Option<f64>,
-    /// The roots, t_close + (δ ∓ h), or one of them C over A and the other. `None` for a miss.
+    /// The roots in lengths of the direction, t_close + (δ ∓ h), or one of them C over A and the other.
+    /// `None` for a miss.
     pub roots: Option<Roots<f64>>,
 }
 
@@ -118,20 +120,21 @@ impl Certainty {
     }
 }
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction of any length but zero.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>) -> Robust<R> {
     robust_from(ray, sphere, f64::NEG_INFINITY)
 }
 
-/// What [`Robust::hit`] of [`robust`] says, by a shorter way: a crossing that is before the span is not worked out to its last
-/// digit. That is what a ray asks that starts just within the sphere.
+/// What [`Robust::hit`] of [`robust`] says, by a shorter way: a crossing that is before the span
+/// is not worked out to its last digit. That is what a ray asks that starts just within the sphere.
 #[inline(always)]
 pub fn hit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
     robust_from(ray, sphere, span.min.into()).hit(span)
 }
 
-/// The same for a ray that is known to start within the sphere, however little: it can only leave it.
+/// The same for a ray that is known to start within the sphere, however little: it can only leave it. Nothing
+/// checks that it does; the crossing at the smaller root is never the hit. The span must not begin at −∞.
 #[inline(always)]
 pub fn hit_from_within<R: Real>(
     ray: &Ray3<R>,
@@ -202,7 +205,8 @@ impl Chord {
 }
 
 impl<R: Real> Robust<R> {
-    /// The two crossings, rounded to the precision of the ray; `None` for a miss.
+    /// The two crossings, rounded to the precision of the ray, with no negative one rounded to zero; `None`
+    /// for a miss, and for a degenerate ray or sphere.
     #[inline(always)]
     pub fn roots(&self) -> Option<Roots<R>> {
         let Roots { near, far } = self.chord.roots?;
@@ -211,6 +215,8 @@ impl<R: Real> Robust<R> {
 
     /// The nearest hit in `span`: n = ((δ ∓ h) d − P) / r, and x is p_r + t d or c + r n, whichever adds the
     /// smaller number.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         let (ray, sphere, chord) = (self.ray, self.sphere, self.chord);

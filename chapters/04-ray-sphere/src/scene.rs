@@ -36,7 +36,10 @@ pub fn three_spheres<R: Real>() -> [Painted<R>; 3] {
 }
 
 /// Gambetta's camera: at the origin, looking along +z with y up and x right, the view plane at
-/// d = 1, its viewport 1 high and as wide as the picture's shape asks (1 for a square one).
+/// d = 1, its viewport 1 high and as wide as the picture's shape asks (1 for a square one). `size` is the
+/// picture's, in pixels.
+///
+/// [`Degenerate::NotFinite`] for a picture without rows.
 pub fn camera<R: Real>(size: (u32, u32)) -> Result<Camera<R>, Degenerate> {
     let (zero, one) = (R::from(0.0), R::from(1.0));
     let [origin, forward, up] =
@@ -44,7 +47,8 @@ pub fn camera<R: Real>(size: (u32, u32)) -> Result<Camera<R>, Degenerate> {
     Camera::looking(origin, forward, up, Handedness::Left, one, Window::around_axis(one, size))
 }
 
-/// `TraceRay(O, D, t_min, t_max)`: which sphere the ray meets first within the span, and at which t.
+/// `TraceRay(O, D, t_min, t_max)` (Listing 2-4): which sphere the ray meets first within the span, by its
+/// place in `spheres`, and at which t, in lengths of D.
 ///
 /// `None`: none of them, and the pixel takes the background. On a tie the earlier sphere wins
 /// (the listing's strict `<`). Neither the ray nor a sphere may be degenerate.
@@ -70,7 +74,7 @@ pub fn trace_ray<R: Real>(
 pub struct Tangent {
     /// Column and row.
     pub pixel: (u32, u32),
-    /// Which sphere.
+    /// Which sphere: its place in [`CENTERS`].
     pub sphere: usize,
 }
 
@@ -113,7 +117,8 @@ fn whole_root(square: i128) -> Option<i128> {
     square.checked_isqrt().filter(|root| root * root == square)
 }
 
-/// The ray of a pixel on Gambetta's lattice (Listings 2-2 and 2-3).
+/// The ray of a pixel (column, row), row 0 on top, on Gambetta's lattice (Listings 2-2 and 2-3). Its
+/// direction is not normalized: t = 1 on the viewport.
 pub fn pixel_ray<R: Real>(camera: &Camera<R>, size: (u32, u32), pixel: (u32, u32)) -> Ray3<R> {
     camera.ray(lattice(&camera.window, size, pixel))
 }

@@ -25,7 +25,7 @@ pub struct Shortcut<R: Real> {
     pub u_r: R::Vec3,
     /// L = c − p_r, from the origin to the center.
     pub l: R::Vec3,
-    /// Where along the ray the center is nearest.
+    /// u_r · L, where along the ray the center is nearest, as a distance.
     pub t_close: R,
     /// d² = L · L − t_close², the square of the distance there. Rounding can make it negative.
     pub d_squared: R,
@@ -35,7 +35,7 @@ pub struct Shortcut<R: Real> {
     pub a: Option<R>,
 }
 
-/// Works out the scalar shortcut.
+/// Works out the scalar shortcut, for a direction of any length but zero.
 ///
 /// A degenerate ray or sphere gives values that mean nothing; [`Shortcut::hit`] refuses them.
 #[inline]
@@ -67,6 +67,8 @@ impl<R: Real> Shortcut<R> {
     }
 
     /// The nearest hit in `span`.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`Sphere::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.sphere.first_hit(&self.ray, self.roots(), span)

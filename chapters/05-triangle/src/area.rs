@@ -10,7 +10,7 @@ use math::{Bounded, Exact, Real, Sure, TwoPart, Vector};
 
 use crate::Triangle;
 
-/// Whether n ≠ 0. The corners must be finite.
+/// Whether n ≠ 0, exactly. The corners must be finite.
 pub fn has_area<R: Real>(triangle: &Triangle<R>) -> bool {
     let corners = triangle.corners().map(Vector::in_f64::<3>);
     // One component that is surely not zero is enough; that all are zero, only exact numbers can say.

@@ -8,7 +8,7 @@ use crate::explain::one_method;
 use crate::scene::{WORKED, seen_at, triangle, view_ray};
 use crate::{Method, Triangle};
 
-/// The worked example, for the start.
+/// A ray and a triangle as they are dragged; the worked example for the start.
 pub struct RayAndTriangle {
     /// x and y of p̄_ij
     seen: Place,

@@ -15,8 +15,10 @@ use crate::volumes::{ERROR, UNIT, Volumes};
 /// The error of λ: more than 17u.
 const LAMBDA_ERROR: f64 = 24.0 * UNIT;
 
-/// Whether the line of the ray passes through the triangle, and roughly where. Of a ray or a triangle that is
-/// none: [`Glance::Unsure`].
+/// Whether the line of the ray passes through the triangle, and roughly where: [`Glance::Once`], be it
+/// ahead or behind, or [`Glance::Misses`].
+///
+/// [`Glance::Unsure`] near an edge or along the plane, and for a degenerate ray or triangle.
 #[inline(always)]
 pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     let volumes = Volumes::of(ray, triangle);
@@ -37,8 +39,9 @@ pub fn glance<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Glance {
     Glance::Once(Around { t: lambda, off: LAMBDA_ERROR * h * one_over.abs() })
 }
 
-/// α and β of the point where the line of the ray passes the plane of the triangle, each off by less than
-/// 2⁻³⁰, which is enough for a color or a normal there; `None` where plain `f64` is not good enough for that.
+/// α and β of the point where the line of the ray passes through the triangle, which it must do. Each is
+/// off by less than 2⁻³⁰ before it is rounded to R, which is enough for a color or a normal there; `None`
+/// where plain `f64` is not good enough for that.
 ///
 /// They are v / d · n and w / d · n. The volumes and d · n are off by the error above, and neither is larger
 /// than d · n where the line passes through: the quotient is then off by twice that error over d · n.

@@ -14,13 +14,13 @@ pub struct HalfPlanes<R: Real> {
     pub ray: Ray3<R>,
     /// The triangle.
     pub triangle: Triangle<R>,
-    /// n = (p̄2 − p̄1) × (p̄3 − p̄1)
+    /// n = (p̄2 − p̄1) × (p̄3 − p̄1), not normalized.
     pub n: R::Vec3,
     /// (p̄1 − ā) · n
     pub to_p1_dot_n: R,
     /// d · n
     pub d_dot_n: R,
-    /// λ* = (p̄1 − ā) · n / d · n. Infinite or NaN where d · n = 0.
+    /// λ* = (p̄1 − ā) · n / d · n, in lengths of d. Infinite or NaN where d · n = 0.
     pub lambda: R,
     /// r̄(λ*), where the line of the ray meets the plane.
     pub x: R::Vec3,
@@ -31,7 +31,7 @@ pub struct HalfPlanes<R: Real> {
     pub n_dot_n: R,
 }
 
-/// Works out the first way.
+/// Works out the first way of CSC418 11.3.1, for a direction of any length but zero.
 ///
 /// A degenerate ray or triangle, and a ray along the plane, give values that mean nothing;
 /// [`HalfPlanes::hit`] sorts them out.
@@ -60,7 +60,8 @@ pub fn half_planes<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> HalfPlanes
 }
 
 impl<R: Real> HalfPlanes<R> {
-    /// What d · n = 0 means, decided exactly: see [`parallel`]. The numbers must be finite.
+    /// What d · n = 0 means, decided exactly: see [`parallel`]. Means nothing for what [`Triangle::check`]
+    /// refuses.
     pub fn parallel(&self) -> Option<Parallel> {
         parallel(&self.ray, &self.triangle)
     }
@@ -83,7 +84,11 @@ impl<R: Real> HalfPlanes<R> {
         // end inside
     }
 
-    /// The hit, where its t = λ* lies in `span` and the point in all three half-planes.
+    /// The hit, where its t = λ* lies in `span` and the point in all three half-planes. The normal is
+    /// n / ‖n‖, not turned toward the ray.
+    ///
+    /// `None` for a miss, which a ray along the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Triangle::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         if try_parallel(&self.ray, &self.triangle)?.is_some() {

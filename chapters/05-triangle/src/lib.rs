@@ -15,6 +15,10 @@
 //! [`polygon::Polygon`] has any number of corners in a plane (11.3.2), and two rules for what is inside;
 //! [`mesh::Mesh`] many triangles that share theirs, and normals to shade them with (11.6).
 //!
+//! [`mod@parallel`] answers the page's question exactly, and [`area`] whether there is a triangle at all.
+//! [`mod@moller_trumbore`] is the matrix as most programs have it, and [`mod@glance`] what can be said at
+//! once of a triangle among many shapes; neither is in the list. [`scene`] is the worked example.
+//!
 //! A quarter of the way along two sides:
 //!
 //! ```
@@ -82,8 +86,8 @@ pub struct Triangle<R: Real> {
 pub type Hit3<R> = Hit<R, <R as Real>::Vec3>;
 
 impl<R: Real> Triangle<R> {
-    /// n = (p̄2 − p̄1) × (p̄3 − p̄1), as long as twice the area. Seen from where it points, the corners run
-    /// counterclockwise. Zero or not, see [`area::has_area`].
+    /// n = (p̄2 − p̄1) × (p̄3 − p̄1), as long as twice the area, not normalized. Seen from where it points,
+    /// the corners run counterclockwise. It is rounded: whether it is zero, [`area::has_area`] tells.
     #[inline(always)]
     pub fn normal(&self) -> R::Vec3 {
         R::cross(self.p2 - self.p1, self.p3 - self.p1)
@@ -135,7 +139,8 @@ impl Method {
         }
     }
 
-    /// Works the method out for one ray and one triangle.
+    /// Works the method out for one ray and one triangle. Degenerate ones give values that mean nothing;
+    /// [`Working::hit`] refuses them.
     pub fn work<R: Real>(self, ray: &Ray3<R>, triangle: &Triangle<R>) -> Working<R> {
         match self {
             Method::HalfPlanes => Working::HalfPlanes(half_planes(ray, triangle)),
@@ -157,7 +162,8 @@ pub enum Working<R: Real> {
 }
 
 impl<R: Real> Working<R> {
-    /// How the ray runs along the triangle's plane; `None` where d · n ≠ 0. The numbers must be finite.
+    /// How the ray runs along the triangle's plane; `None` where d · n ≠ 0. Decided exactly, as
+    /// [`parallel::parallel`] has it. Means nothing for what [`Triangle::check`] refuses.
     pub fn parallel(&self) -> Option<Parallel> {
         match self {
             Working::HalfPlanes(work) => work.parallel(),
@@ -167,7 +173,8 @@ impl<R: Real> Working<R> {
     }
 
     /// Where the line of the ray meets the plane: α and β of p̄1 + α (p̄2 − p̄1) + β (p̄3 − p̄1), inside the
-    /// triangle or not. `None` where there is no such point.
+    /// triangle or not, ahead or behind. `None` where there is no such point. Means nothing for what
+    /// [`Triangle::check`] refuses.
     pub fn alpha_beta(&self) -> Option<(R, R)> {
         match self {
             Working::HalfPlanes(work) => work.alpha_beta(),
@@ -176,8 +183,11 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The hit, where its t lies in `span`; `None` for a miss, [`Degenerate`] for a question without an
-    /// answer. The normal is n / ‖n‖, not turned toward the ray.
+    /// The hit, where its t lies in `span`, from either side. The normal is n / ‖n‖, not turned toward the
+    /// ray.
+    ///
+    /// `None` for a miss, which a ray along the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Triangle::check`].
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::HalfPlanes(work) => work.hit(span),

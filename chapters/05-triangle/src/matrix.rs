@@ -32,11 +32,11 @@ pub struct Matrix<R: Real> {
     pub alpha: R,
     /// β = det_beta / det
     pub beta: R,
-    /// λ = det_lambda / det
+    /// λ = det_lambda / det, in lengths of d. Like α and β infinite or NaN where det is zero.
     pub lambda: R,
 }
 
-/// Works out the second way.
+/// Works out the second way of CSC418 11.3.1, for a direction of any length but zero.
 ///
 /// A degenerate ray or triangle, and a ray along the plane, give values that mean nothing; [`Matrix::hit`] sorts
 /// them out.
@@ -74,7 +74,8 @@ fn determinant<R: Real>(x: R::Vec3, y: R::Vec3, z: R::Vec3) -> R {
 }
 
 impl<R: Real> Matrix<R> {
-    /// What d · n = 0, the singular matrix, means; decided exactly: see [`parallel`]. The numbers must be finite.
+    /// What d · n = 0, the singular matrix, means; decided exactly: see [`parallel`]. Means nothing for what
+    /// [`Triangle::check`] refuses.
     pub fn parallel(&self) -> Option<Parallel> {
         parallel(&self.ray, &self.triangle)
     }
@@ -93,7 +94,11 @@ impl<R: Real> Matrix<R> {
         // end inside
     }
 
-    /// The hit, where the page's conditions hold and t = λ lies in `span`.
+    /// The hit, where the page's conditions hold and t = λ lies in `span`. The normal is n / ‖n‖, not turned
+    /// toward the ray.
+    ///
+    /// `None` for a miss, which a ray along the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Triangle::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         if try_parallel(&self.ray, &self.triangle)?.is_some() {

@@ -32,7 +32,7 @@ pub struct Mesh<R: Real> {
 pub struct MeshHit<R: Real> {
     /// t, the point, and the normal of the face, not turned toward the ray.
     pub hit: Hit3<R>,
-    /// Which face, from 0.
+    /// Which face of [`Mesh::faces`], from 0.
     pub face: usize,
     /// α and β of the point in that face; `None` where the face is so small that the method has none to give.
     pub alpha_beta: Option<(R, R)>,
@@ -89,7 +89,11 @@ impl fmt::Display for NotAMesh {
 impl std::error::Error for NotAMesh {}
 
 impl<R: Real> Mesh<R> {
-    /// A mesh that is shaded flat, each face with its own normal.
+    /// A mesh that is shaded flat, each face with its own normal, which points to where its corners run
+    /// counterclockwise.
+    ///
+    /// A face holds the places of its corners among the vertices, from 0. [`NotAMesh`] says which vertex or
+    /// face is wrong.
     pub fn new(vertices: Vec<R::Vec3>, faces: Vec<[usize; 3]>) -> Result<Mesh<R>, NotAMesh> {
         let count = vertices.len();
         if faces.is_empty() {
@@ -106,15 +110,17 @@ impl<R: Real> Mesh<R> {
         Ok(Mesh { vertices, faces, normals: None })
     }
 
-    /// The same mesh shaded smoothly: at each vertex the mean of the normals of the faces that share it, each
-    /// weighted by its area; in between, interpolated.
+    /// The same mesh shaded smoothly (CSC418 11.6): at each vertex the mean of the normals of the faces
+    /// that share it, each weighted by its area; in between, interpolated. Where the mean is zero, the
+    /// face's own normal.
     pub fn smooth(self) -> Mesh<R> {
         let none = vec![[None; 3]; self.faces.len()];
         self.with_normals_where(&none)
     }
 
-    /// The same mesh shaded smoothly, with normals of one's own at the corners of each face, in any length. Where a
-    /// corner has none, or one without a direction (zero, or not finite), the mean of [`Mesh::smooth`] stands in.
+    /// The same mesh shaded smoothly, with normals of one's own at the corners of each face, in the order
+    /// of the faces and in any length. Where a corner has none, or one without a direction (zero, or not
+    /// finite), what [`Mesh::smooth`] has there stands in.
     ///
     /// [`NotAMesh::NormalsMissing`] where there are not as many as there are faces.
     pub fn with_normals(self, normals: &[[Option<R::Vec3>; 3]]) -> Result<Mesh<R>, NotAMesh> {
@@ -140,12 +146,14 @@ impl<R: Real> Mesh<R> {
         &self.faces
     }
 
-    /// The unit normals at the three corners of each face; `None` for a mesh that is shaded flat.
+    /// The unit normals at the three corners of each face; `None` for a mesh that is shaded flat. A face
+    /// without area may have zeros there.
     pub fn normals(&self) -> Option<&[[R::Vec3; 3]]> {
         self.normals.as_deref()
     }
 
-    /// A face as a triangle. The face must be one of the mesh.
+    /// A face as a triangle. The face, counted from 0, must be one of the mesh; of another one it panics, as
+    /// [`Mesh::hit_on`] does.
     #[inline]
     pub fn triangle(&self, face: usize) -> Triangle<R> {
         let [p1, p2, p3] = self.faces[face].map(|vertex| self.vertices[vertex]);
@@ -173,13 +181,14 @@ impl<R: Real> Mesh<R> {
         Ok(nearest.map(|(face, hit)| self.hit_on(method, ray, face, hit)))
     }
 
-    /// The normal to shade with at (α, β) of a face: the interpolated one; `None` for a mesh that is shaded flat, and where the
-    /// corners' normals cancel.
+    /// The normal to shade with at (α, β) of a face of the mesh: the interpolated one, of length 1. `None`
+    /// for a mesh that is shaded flat, and where the corners' normals cancel.
     pub fn normal_at(&self, face: usize, alpha_beta: (R, R)) -> Option<R::Vec3> {
         normals::interpolated::<R>(self.normals.as_ref()?[face], alpha_beta)
     }
 
-    /// What there is to say of a hit on a face: where in the face it is, and the normal to shade with.
+    /// What there is to say of a hit on a face: where in the face it is, and the normal to shade with. The
+    /// hit must be that of this ray and this face.
     pub fn hit_on(&self, method: Method, ray: &Ray3<R>, face: usize, hit: Hit3<R>) -> MeshHit<R> {
         let alpha_beta = method.work(ray, &self.triangle(face)).alpha_beta();
         let shading_normal = match (&self.normals, alpha_beta) {
@@ -195,7 +204,7 @@ impl<R: Real> Mesh<R> {
 impl<R: Real> MeshHit<R> {
     /// The face's normal and the one to shade with as seen by a ray with this direction: the face is turned toward
     /// where the ray comes from, and the other turns with it. (By itself an interpolated normal might turn the
-    /// other way near a silhouette, and light the face from behind.)
+    /// other way near a silhouette, and light the face from behind.) The direction may have any length.
     pub fn turned_toward(&self, direction: R::Vec3) -> [R::Vec3; 2] {
         let normals = [self.hit.normal, self.shading_normal];
         if self.hit.normal.dot(direction) > R::from(0.0) { normals.map(|n| -n) } else { normals }

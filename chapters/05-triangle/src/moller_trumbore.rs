@@ -39,7 +39,10 @@ pub struct MollerTrumbore<R: Real> {
     pub det_lambda: R,
 }
 
-/// Works out the four determinants with two cross products.
+/// Works out the four determinants with two cross products, for a direction of any length but zero.
+///
+/// A degenerate ray or triangle, and a ray along the plane, give values that mean nothing;
+/// [`MollerTrumbore::hit`] sorts them out.
 #[inline]
 pub fn moller_trumbore<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> MollerTrumbore<R> {
     let Triangle { p1, p2, p3 } = *triangle;
@@ -55,7 +58,7 @@ pub fn moller_trumbore<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Moller
 }
 
 impl<R: Real> MollerTrumbore<R> {
-    /// α, β and λ. Infinite or NaN where det is zero.
+    /// α, β and λ, the last in lengths of d. Infinite or NaN where det is zero.
     #[inline]
     pub fn solution(&self) -> [R; 3] {
         // exercise solution: What are α, β and λ, now that the determinants are there?

@@ -21,8 +21,9 @@ const ERROR: f64 = 8.0 * f64::EPSILON;
 /// What vanishes of products below the smallest number is nothing beside this.
 const SMALLEST_SAFE: f64 = 1e-290;
 
-/// How the ray runs along the plane; `None` where d · n ≠ 0. The numbers must be finite and the triangle have an
-/// area, see [`Triangle::check`].
+/// How the ray runs along the plane; `None` where d · n ≠ 0. Decided on the numbers as given, exactly.
+///
+/// The numbers must be finite, the direction not zero and the triangle have an area, see [`Triangle::check`].
 #[inline]
 pub fn parallel<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Option<Parallel> {
     if surely_crosses(ray, triangle) { None } else { certainly(ray, triangle) }

@@ -68,8 +68,10 @@ impl Rule {
 }
 
 impl<R: Real> Polygon<R> {
-    /// The polygon with these corners, in order around it; [`NotAPolygon`] says which corner is wrong and what to
-    /// do about it.
+    /// The polygon with these corners, in order around it; its last side leads from the last corner to the
+    /// first.
+    ///
+    /// [`NotAPolygon`] says which corner is wrong and what to do about it.
     pub fn new(corners: Vec<R::Vec3>) -> Result<Polygon<R>, NotAPolygon> {
         check::corners::<R>(&corners)?;
         let normal = newell::normal::<R>(&corners).ok_or(NotAPolygon::NoArea)?;
@@ -91,7 +93,8 @@ impl<R: Real> Polygon<R> {
         &self.corners
     }
 
-    /// Its plane: the first corner, and Newell's normal, not normalized.
+    /// Its plane: the first corner, and Newell's normal, not normalized. It is as long as twice the area,
+    /// or scaled where that is no good number.
     pub fn plane(&self) -> Plane<R> {
         self.plane
     }
@@ -107,13 +110,14 @@ impl<R: Real> Polygon<R> {
         &self.outline
     }
 
-    /// A point on those axes.
+    /// A point on those axes: its two coordinates there, as they are.
     pub fn flat(&self, point: R::Vec3) -> [R; 2] {
         flat::<R>(point, self.axes)
     }
 
-    /// Whether a point of the plane belongs to the polygon, its boundary included: decided exactly, for the point
-    /// as it is rounded. A point that is not finite does not.
+    /// Whether a point of the plane belongs to the polygon, its boundary included: decided exactly, for the
+    /// point as it is rounded. A point beside the plane is judged by its two coordinates on
+    /// [`Polygon::axes`]; one that is not finite there does not belong to it.
     pub fn holds(&self, rule: Rule, point: R::Vec3) -> bool {
         let point = self.flat(point);
         if !point.iter().all(|x| x.is_finite()) {
@@ -125,7 +129,8 @@ impl<R: Real> Polygon<R> {
         }
     }
 
-    /// How the ray runs along the plane; `None` where d⃗ · n⃗ ≠ 0. Decided exactly; the ray must be finite.
+    /// How the ray runs along the plane; `None` where d⃗ · n⃗ ≠ 0. Decided exactly; the ray must be finite,
+    /// and its direction not zero.
     pub fn parallel(&self, ray: &Ray3<R>) -> Option<Parallel> {
         match ray_plane::robust(ray, &self.plane).meeting() {
             Meeting::Never(how) => Some(how),
@@ -134,7 +139,8 @@ impl<R: Real> Polygon<R> {
     }
 
     /// The hit in `span` by the page's rule, the plane met by chapter 03's `robust`, and whether that is inside decided
-    /// exactly: two polygons that share a side let no ray through between them.
+    /// exactly: two polygons that share a side let no ray through between them. The normal is n / ‖n‖, not
+    /// turned toward the ray.
     ///
     /// `None` for a miss, which a parallel ray is too; [`Degenerate`] for a ray that is none.
     ///
@@ -156,8 +162,12 @@ impl<R: Real> Polygon<R> {
         Ok(hit.filter(|_| point.is_some() || on_plane::holds(self, Rule::EvenOdd, ray, None)))
     }
 
-    /// Whether the line of the ray passes through the polygon, decided exactly, and roughly where, for who does not need
-    /// the last digits of λ. What is all behind the origin is missed, whether it does or not.
+    /// Whether the line of the ray passes through the polygon, decided exactly by the even-odd rule, and
+    /// roughly where, for who does not need the last digits of λ. What is all behind the origin is missed,
+    /// whether it does or not.
+    ///
+    /// [`Glance::Unsure`] for a ray that is parallel or nearly so, for numbers that are out of range, and
+    /// for a ray that is none.
     #[inline]
     pub fn glance(&self, ray: &Ray3<R>) -> Glance {
         match AtOnce::of(self, ray) {
@@ -180,8 +190,8 @@ impl<R: Real> Polygon<R> {
         n[u] == zero && n[v] == zero && (a[w] > p[w] && d[w] > zero || a[w] < p[w] && d[w] < zero)
     }
 
-    /// The same by another method for the plane, or another rule for the inside, asked of the point r̄(λ*) as it is
-    /// rounded.
+    /// The hit in `span` by another method for the plane, or another rule for the inside, which is asked of
+    /// the point r̄(λ*) as it is rounded. `None` and [`Degenerate`] as with [`Polygon::hit`].
     pub fn hit_by(
         &self,
         plane_by: ray_plane::Method,

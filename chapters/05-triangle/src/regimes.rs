@@ -15,7 +15,8 @@ use draw::{
     scale_extreme, shifted, sliver, special, subnormal, tiny, unnormalized, vertex,
 };
 
-/// Every regime of the chapter, the ordinary one first.
+/// Every regime of the chapter, the ordinary one first. Each draws the numbers of a row of a case file: the
+/// ray's origin and direction, and the triangle's three corners.
 pub fn regimes() -> Vec<Regime<15>> {
     vec![
         Regime {

@@ -50,7 +50,8 @@ pub struct Robust<R: Real> {
     pub volumes: [f64; 3],
     /// d · n, which is what the three volumes sum to.
     pub d_dot_n: f64,
-    /// λ = (p̄1 − ā) · n / d · n, where the line of the ray passes through the triangle; else `None`.
+    /// λ = (p̄1 − ā) · n / d · n in lengths of d, which may be negative, where the line of the ray passes
+    /// through the triangle; else `None`.
     pub lambda: Option<R>,
     /// How the verdict was reached, and λ.
     pub certainty: Certainty,
@@ -74,14 +75,15 @@ enum Passage {
     Degenerate,
 }
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction of any length but zero.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, triangle: &Triangle<R>) -> Robust<R> {
     at_once::robust(ray, triangle).unwrap_or_else(|| carefully::robust(*ray, *triangle))
 }
 
 impl<R: Real> Robust<R> {
-    /// What d · n = 0 means, decided exactly: see [`parallel`]. The numbers must be finite.
+    /// What d · n = 0 means, decided exactly: see [`parallel`]. Means nothing for what [`Triangle::check`]
+    /// refuses.
     pub fn parallel(&self) -> Option<Parallel> {
         parallel(&self.ray, &self.triangle)
     }
@@ -92,7 +94,11 @@ impl<R: Real> Robust<R> {
         carefully::alpha_beta(&self.ray, &self.triangle)
     }
 
-    /// The hit, where the line of the ray passes through the triangle and its t = λ lies in `span`.
+    /// The hit, where the line of the ray passes through the triangle and its t = λ lies in `span`. The
+    /// normal is n / ‖n‖, not turned toward the ray.
+    ///
+    /// `None` for a miss, which a ray along the plane is, too; [`Degenerate`] for a question without an
+    /// answer, see [`Triangle::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         if self.passage == Passage::Degenerate {

@@ -20,7 +20,7 @@ pub fn view_ray<R: Real>((x, y): (f64, f64)) -> Ray3<R> {
     Ray3::new(p, p)
 }
 
-/// Where a point in front of the eye is seen on the view plane.
+/// Where a point in front of the eye (z < 0) is seen on the view plane: its x and y there.
 pub fn seen_at<R: Real>(point: R::Vec3) -> (f64, f64) {
     let [x, y, z]: [f64; 3] = R::xyz(point).map(Into::into);
     (x / -z, y / -z)

@@ -5,7 +5,9 @@
 //! page: find every point where the line meets the wall or a plane, test each, take the smallest λ. The page
 //! prints x² + y² = ¼(1 − z²) for the cone, which is half an ellipsoid: [`mod@printed`] shows it. [`mod@robust`]
 //! says where the tests go wrong, and asks signs first: which part is it? Then it works out one λ.
-//! [`mod@open`] is the cone of a scene file: any axis, two radii, and no caps.
+//! [`mod@open`] is the cone of a scene file: any axis, two radii, and no caps. [`scene`] is where the two
+//! solids are seen from. [`Method`] lists the methods; each takes a [`Ray3`] and a [`Shape`] and returns a
+//! struct with every number on the way, whose `hit(span)` is the answer.
 //!
 //! Down on the unit cylinder, and from the side:
 //!
@@ -111,7 +113,8 @@ impl Shape {
         }
     }
 
-    /// The wall's f(p): x² + y² − 1 or x² + y² − ¼(1 − z)². Negative within the wall, zero on it.
+    /// The wall's f(p): x² + y² − 1 or x² + y² − ¼(1 − z)². Negative within the wall, zero on it. The wall
+    /// goes on for ever: for the cone f is negative in its other nappe, too, above the apex.
     #[inline]
     pub fn wall<R: Real>(self, point: R::Vec3) -> R {
         let [x, y, z] = R::xyz(point);
@@ -122,7 +125,8 @@ impl Shape {
         }
     }
 
-    /// Half the gradient of the wall's f: (x, y, 0) or (x, y, ¼(1 − z)). It points outward; at the apex it is zero.
+    /// Half the gradient of the wall's f: (x, y, 0) or (x, y, ¼(1 − z)), not normalized. It points outward;
+    /// at the apex it is zero.
     #[inline]
     pub fn half_gradient<R: Real>(self, point: R::Vec3) -> R::Vec3 {
         let [x, y, z] = R::xyz(point);
@@ -134,8 +138,8 @@ impl Shape {
 
     /// The outward unit normal of a part at a point of it: ∇f / ‖∇f‖ on the wall (CSC418 11.6), ±z on a cap.
     ///
-    /// At the apex the gradient is zero and the cone has no tangent plane; (0, 0, 1) is given there. A point that is
-    /// not finite gives NaN.
+    /// At the apex the gradient is zero and the cone has no tangent plane; (0, 0, 1) is given there. On the
+    /// wall a point that is not finite gives NaN.
     #[inline]
     pub fn normal<R: Real>(self, part: Part, point: R::Vec3) -> R::Vec3 {
         let (zero, one) = (R::from(0.0), R::from(1.0));
@@ -196,7 +200,8 @@ impl Method {
         }
     }
 
-    /// Works the method out for one ray and one solid.
+    /// Works the method out for one ray and one solid. A degenerate ray gives values that mean nothing;
+    /// [`Working::hit`] refuses it.
     pub fn work<R: Real>(self, ray: &Ray3<R>, shape: Shape) -> Working<R> {
         match self {
             Method::Notes => Working::Notes(notes(ray, shape)),
@@ -223,7 +228,10 @@ impl<R: Real> Working<R> {
         }
     }
 
-    /// The nearest hit in `span`; `None` for a miss, [`Degenerate`] for a question without an answer.
+    /// The nearest hit in `span`, with the outward normal of [`Shape::normal`]: for a ray that starts
+    /// inside, where it leaves. The robust method looks for nothing behind the origin.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a ray that asks nothing, see [`Ray3::check`].
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         match self {
             Working::Notes(work) => work.hit(span),

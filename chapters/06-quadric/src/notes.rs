@@ -17,7 +17,7 @@ pub struct Notes<R: Real> {
     pub b: R,
     /// C = f(a): a_x² + a_y² − 1, for the cone a_x² + a_y² − ¼(1 − a_z)²
     pub c: R,
-    /// D = B² − A C, below zero where the line misses the wall
+    /// D = B² − A C, below zero where the line misses the endless wall
     pub d: R,
     all: [Candidate<R>; 4],
     count: usize,
@@ -28,9 +28,10 @@ pub struct Notes<R: Real> {
 pub struct Candidate<R: Real> {
     /// Which part of the surface this would be.
     pub part: Part,
-    /// λ; `None` where the line does not meet the wall or the plane.
+    /// λ, in lengths of d; `None` where the line does not meet the wall or the plane.
     pub lambda: Option<R>,
-    /// p(λ) = a + λ d; the origin where there is no λ.
+    /// p(λ) = a + λ d; for a cap its z is that of the plane, exactly. The origin of the ray where there is
+    /// no λ.
     pub point: R::Vec3,
     /// What the page's test says of it.
     pub test: Test,
@@ -39,9 +40,9 @@ pub struct Candidate<R: Real> {
 /// What the test of a candidate says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Test {
-    /// There is no such point: D < 0, or the ray is parallel to the plane.
+    /// There is no such point: D < 0, or A = 0 and no other root, or the ray is parallel to the plane.
     NoPoint,
-    /// A point of the wall above or below the solid.
+    /// A point of the wall above or below the solid, or beyond the largest number.
     ZOutside,
     /// A point of the plane beyond the rim.
     BeyondRim,
@@ -77,7 +78,7 @@ impl Fate {
     }
 }
 
-/// Works out the page's method, for a direction of any length but zero.
+/// Works out the page's method (CSC418 11.3.5), for a direction of any length but zero.
 ///
 /// A degenerate ray gives values that mean nothing; [`Notes::hit`] refuses it.
 #[inline]
@@ -193,12 +194,13 @@ fn on_plane<R: Real>(ray: &Ray3<R>, shape: Shape, part: Part) -> Candidate<R> {
 }
 
 impl<R: Real> Notes<R> {
-    /// λ1 and λ2 of the wall, then the caps from the top down.
+    /// λ1 = −B/A + √D/A and λ2 = −B/A − √D/A of the wall, then the caps from the top down.
     pub fn candidates(&self) -> &[Candidate<R>] {
         &self.all[..self.count]
     }
 
-    /// The place among the candidates of the one with the smallest λ in `span`; on a tie the first.
+    /// The place among the candidates of the one with the smallest λ in `span`; on a tie the first. `None`
+    /// where none of them is a point of the surface in the span.
     #[inline]
     pub fn nearest(&self, span: Span<R>) -> Option<usize> {
         // exercise nearest: Which candidates count, and which of them does the ray meet first?
@@ -216,7 +218,7 @@ impl<R: Real> Notes<R> {
         // end nearest
     }
 
-    /// What becomes of a candidate, by its place.
+    /// What becomes of a candidate, by its place among [`Notes::candidates`], which it must have.
     pub fn fate(&self, place: usize, span: Span<R>) -> Fate {
         let candidate = &self.all[place];
         match (candidate.test, candidate.lambda) {
@@ -227,7 +229,10 @@ impl<R: Real> Notes<R> {
         }
     }
 
-    /// The nearest hit in `span`: "the intersection with the smallest positive λ", λ = 0 included.
+    /// The nearest hit in `span`: "the intersection with the smallest positive λ", λ = 0 included. The
+    /// normal is that of [`Shape::normal`].
+    ///
+    /// `None` for a miss, [`Degenerate`] for a ray that asks nothing, see [`Ray3::check`].
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.ray.check()?;

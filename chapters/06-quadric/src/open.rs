@@ -10,7 +10,8 @@
 //! Equal radii make a cylinder, a radius of zero makes a cone with a tip. Between the ends r(s) is never below zero:
 //! where both radii are not, their mixture is not, so that the other nappe of the cone never counts. The wall is seen
 //! from both sides: a ray that comes in through an open end meets it from within. A ray that lies in the wall, along
-//! one of its straight lines, hits where it first touches it.
+//! one of its straight lines, hits where it first touches it (by [`mod@robust`]; the notes find no root
+//! there).
 //!
 //! [`mod@notes`] carries the page's quadratic (CSC418 11.3.5) to any axis and tests both roots. [`mod@robust`] asks
 //! signs first, as for the unit solids, and works out one root. [`OpenCone::normal`] is the side away from the axis,
@@ -39,7 +40,8 @@ pub use notes::{Candidate, Notes, Test, notes};
 pub use robust::{Robust, robust};
 pub use verdict::Verdict;
 
-/// NFF's cone: the points at the height s from 0 to 1 whose distance from the axis is r(s). A surface, not a solid.
+/// NFF's cone: the points at the height s from 0 to 1 whose distance from the axis is r(s). A surface, not
+/// a solid. Its measures are in units of the scene; s is in lengths of the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenCone<R: Real> {
     /// b, the middle of the circle at s = 0.
@@ -73,7 +75,7 @@ impl End {
 }
 
 impl<R: Real> OpenCone<R> {
-    /// A cone of these measures, taken as they are.
+    /// A cone of these measures, taken as they are; [`OpenCone::check`] refuses what is none.
     pub fn new(base: R::Vec3, base_radius: R, apex: R::Vec3, apex_radius: R) -> Self {
         OpenCone { base, base_radius, apex, apex_radius }
     }
@@ -116,7 +118,7 @@ impl<R: Real> OpenCone<R> {
         }
     }
 
-    /// The end at which the wall comes together in a tip, if it does.
+    /// The end at which the wall comes together in a tip; `None` where neither radius is zero.
     #[inline(always)]
     pub fn tip(&self) -> Option<End> {
         [End::Base, End::Apex].into_iter().find(|&end| self.radius(end) == R::from(0.0))

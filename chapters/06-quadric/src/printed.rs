@@ -8,7 +8,7 @@ use math::{Degenerate, Hit, Ray3, Real, Span, Vector};
 
 use crate::Hit3;
 
-/// The radius at a height 0 ≤ z ≤ 1 by the printed formula, ½√(1 − z²).
+/// The radius at a height 0 ≤ z ≤ 1 by the printed formula, ½√(1 − z²); NaN above 1.
 pub fn printed_radius<R: Real>(z: R) -> R {
     let one = R::from(1.0);
     R::from(0.5) * (one - z * z).sqrt()
@@ -19,8 +19,8 @@ pub fn radius<R: Real>(z: R) -> R {
     R::from(0.5) * (R::from(1.0) - z)
 }
 
-/// The nearest hit in `span` of the printed surface with the base under it, found as the notes find theirs; `None` for a
-/// miss, [`Degenerate`] for a ray that asks nothing.
+/// The nearest hit in `span` of the printed surface with the base under it, found as the notes find theirs,
+/// with the outward normal; `None` for a miss, [`Degenerate`] for a ray that asks nothing.
 pub fn hit<R: Real>(ray: &Ray3<R>, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
     ray.check()?;
     let ([a_x, a_y, a_z], [d_x, d_y, d_z]) = (R::xyz(ray.origin), R::xyz(ray.direction));

@@ -16,7 +16,8 @@ use draw::{
     on_surface, on_surface_exact, ordinary, rim, slope_exact, special, subnormal, unnormalized,
 };
 
-/// Every regime of the chapter, the ordinary one first.
+/// Every regime of the chapter, the ordinary one first. Each draws the numbers of a row of a case file: the
+/// ray's origin and direction, and the place of the solid in [`Shape::ALL`](crate::Shape::ALL).
 pub fn regimes() -> Vec<Regime<7>> {
     vec![
         Regime {

@@ -36,13 +36,14 @@ pub struct Robust<R: Real> {
     pub verdict: Verdict,
     /// With what kind of number the verdict was reached.
     pub certainty: Certainty,
-    /// λ ≥ 0 of the part that is met, off by less than a unit of its last digit; `None` for a miss.
+    /// λ ≥ 0 of the part that is met, in lengths of the direction, off by less than a unit of its last digit;
+    /// `None` for a miss.
     pub lambda: Option<R>,
     /// With what kind of number λ was worked out.
     pub lambda_certainty: Certainty,
 }
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction of any length but zero.
 #[inline(always)]
 pub fn robust<R: Real>(ray: &Ray3<R>, shape: Shape) -> Robust<R> {
     let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
@@ -93,7 +94,8 @@ fn exact_lambda<R: Real>(shape: Shape, o: [f64; 3], d: [f64; 3], verdict: Verdic
 }
 
 impl<R: Real> Robust<R> {
-    /// A, B, C and D of the wall, rounded for a reader: f(o + λ d) = A λ² − 2 B λ + C.
+    /// A, B, C and D of the wall, rounded for a reader: f(o + λ d) = A λ² − 2 B λ + C. B has the other sign
+    /// than the page's.
     pub fn quadratic(&self) -> math::Quadratic<f64> {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let math::Quadratic { a, b, c, d } =
@@ -103,7 +105,10 @@ impl<R: Real> Robust<R> {
     }
 
     /// The nearest hit in `span`: where the ray first meets the solid, or where that comes too early, as for a ray
-    /// that leaves a surface and looks for t > 0, where it leaves the solid.
+    /// that leaves a surface and looks for t > 0, where it leaves the solid. What lies behind the origin is
+    /// not looked for, whatever the span. The normal is that of [`Shape::normal`].
+    ///
+    /// `None` for a miss, [`Degenerate`] for a ray that asks nothing, see [`Ray3::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.ray.check()?;

@@ -4,7 +4,7 @@ use math::{Camera, Degenerate, Handedness, Ray3, Real, Vector, Window};
 
 use crate::Shape;
 
-/// Where the eye of a solid stands: before it and above, in the plane y = 0.
+/// Where the eye of a solid stands: beside it, at negative x, and above its middle, in the plane y = 0.
 pub fn eye<R: Real>(shape: Shape) -> R::Vec3 {
     match shape {
         Shape::Cylinder => point::<R>([-3.0, 0.0, 3.5]),
@@ -24,9 +24,10 @@ pub fn worked<R: Real>(shape: Shape) -> Ray3<R> {
     Ray3::new(eye::<R>(shape), direction)
 }
 
-/// The view plane stands through the middle of the solid, so its window is in the units of the solid.
+/// The camera at [`eye`] that looks at the middle of the solid, with z up. The view plane stands through that
+/// middle, so its window is in the units of the solid.
 ///
-/// `half` is half the window's side there.
+/// `half` is half the window's side there, above zero; [`Degenerate::NotFinite`] where it is infinite or NaN.
 pub fn camera<R: Real>(shape: Shape, half: f64) -> Result<Camera<R>, Degenerate> {
     let middle = match shape {
         Shape::Cylinder => point::<R>([0.0, 0.0, 0.0]),

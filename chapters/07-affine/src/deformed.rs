@@ -16,7 +16,7 @@ pub struct Deformed<R: Real> {
     pub object: Object,
     /// A and t.
     pub affine: Affine<R>,
-    /// A⁻¹ = adj A / det A, rounded.
+    /// A⁻¹ = adj A / det A, rounded: not finite where [`Matrix3::inverse`] is not.
     pub inverse: Matrix3<R>,
     /// What [`mod@crate::robust`] keeps.
     pub(crate) stored: Stored,

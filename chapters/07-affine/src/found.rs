@@ -15,7 +15,8 @@ pub struct Found<R: Real> {
     pub n: R::Vec3,
     /// A⁻ᵀ n, the normal of the deformed object (11.6.1, Eq. 2), of any length.
     pub a_inverse_transposed_n: R::Vec3,
-    /// r(λ*) = a + λ* d, the point in the world.
+    /// The point in the world: r(λ*) = a + λ* d, or by the robust method A r′(λ*) + t where the sum with t
+    /// adds the smaller vector.
     pub point: R::Vec3,
 }
 
@@ -68,7 +69,7 @@ impl<R: Real> Found<R> {
         BothWays { along_the_ray, through_the_object, difference: through_the_object - along_the_ray }
     }
 
-    /// The hit in the world.
+    /// The hit in the world: t is λ*, the normal a unit vector.
     #[inline]
     pub fn hit(&self) -> Hit3<R> {
         // minus zero is zero

@@ -5,9 +5,13 @@
 //! a′ + λ d′ with a′ = A⁻¹(a − t) and d′ = A⁻¹ d. The λ found is the same in both spaces. The normal is not: that of
 //! the deformed object is A⁻ᵀ n, normalized (11.6.1), and A n is wrong ([`Found::wrong_normal`]).
 //!
-//! [`mod@notes`] does this with A⁻¹ stored, [`mod@solved`] solves A a′ = a − t and A d′ = d for every ray, and
-//! [`mod@robust`] never divides by det A before the end. All take a [`Ray3`] and a [`Deformed`], in which what depends
-//! on the object alone is worked out once.
+//! [`mod@notes`] does this with A⁻¹ stored, [`mod@solved`] solves A a′ = a − t and A d′ = d for every ray,
+//! and [`mod@robust`] never divides by det A before the end. All take a [`Ray3`] and a [`Deformed`], in which
+//! what depends on the object alone is worked out once. The first two meet the object before by its own
+//! chapter's formulas ([`mod@undeformed`]).
+//!
+//! Whether A has an inverse, and whether a ray runs along a flat object, is decided exactly, whatever the
+//! method ([`mod@exact_sign`]). [`scene`] is where five such objects are seen from.
 //!
 //! A unit sphere, stretched to twice its width:
 //!
@@ -96,7 +100,7 @@ impl Object {
         }
     }
 
-    /// A plane and a triangle have no inside, and a ray can run along them.
+    /// Whether it is a plane or a triangle: they have no inside, and a ray can run along them.
     pub fn is_flat(self) -> bool {
         matches!(self, Object::Plane | Object::Triangle)
     }
@@ -126,7 +130,8 @@ impl Method {
         }
     }
 
-    /// Works the method out for one ray and one deformed object.
+    /// Works the method out for one ray and one deformed object. A degenerate ray gives values that mean
+    /// nothing; [`Working::hit`] refuses it.
     pub fn work<'a, R: Real>(self, ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Working<'a, R> {
         match self {
             Method::Notes => Working::Notes(notes(ray, deformed)),
@@ -167,7 +172,8 @@ impl<R: Real> Working<'_, R> {
         }
     }
 
-    /// How the ray runs along a flat object; `None` where it meets its plane, and for a solid. By every method exactly.
+    /// How the ray runs along a flat object; `None` where it meets its plane, and for a solid. By every
+    /// method exactly. The ray must be finite.
     pub fn parallel(&self) -> Option<Parallel> {
         let (ray, deformed) = match self {
             Working::Notes(work) => (&work.ray, work.deformed),

@@ -41,7 +41,8 @@ pub fn notes<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Notes<'a,
 }
 
 impl<R: Real> Notes<'_, R> {
-    /// The λ* of the nearest hit in `span`, in both spaces. `None` also where A⁻¹ overflows.
+    /// The λ* of the nearest hit in `span`, in both spaces. `None` for a miss, and where A⁻¹ overflows;
+    /// [`Degenerate`] as [`Ray3::check`] says.
     #[inline]
     pub fn found(&self, span: Span<R>) -> Result<Option<Found<R>>, Degenerate> {
         self.ray.check()?;
@@ -56,7 +57,7 @@ impl<R: Real> Notes<'_, R> {
         Ok(Found::brought_back(&self.ray, hit, a_inverse_transposed_n))
     }
 
-    /// The nearest hit in `span`.
+    /// The nearest hit in `span`; `None` and [`Degenerate`] as [`Notes::found`] says.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         Ok(self.found(span)?.map(|found| found.hit()))

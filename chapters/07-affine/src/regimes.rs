@@ -18,7 +18,8 @@ use draw::{
     triangle_edge, unnormalized,
 };
 
-/// Every regime of the chapter, the ordinary one first.
+/// Every regime of the chapter, the ordinary one first. Each draws the numbers of a row of a case file: the
+/// ray's origin and direction, the place of the object in `Object::ALL`, A row by row, and t.
 pub fn regimes() -> Vec<Regime<19>> {
     vec![
         Regime {

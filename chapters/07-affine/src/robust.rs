@@ -87,7 +87,7 @@ pub struct Steps {
 /// Where the ray crosses the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<R> {
-    /// λ*
+    /// λ*, in lengths of the direction as given, off by less than a unit of its last digit.
     pub lambda: R,
     /// r′(λ*), in the object's own space: the point on the unit object.
     pub p: [f64; 3],
@@ -99,7 +99,7 @@ pub struct Crossing<R> {
     pub enters: bool,
 }
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction of any length but zero.
 #[inline(always)]
 pub fn robust<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Robust<'a, R> {
     let solved = if ray.check().is_ok() { solve::first(ray, deformed) } else { solve::Solved::NOTHING };
@@ -115,6 +115,7 @@ impl<R: Real> Robust<'_, R> {
     }
 
     /// The λ* of the nearest hit in `span`, in both spaces. What lies behind the origin is not looked for.
+    /// `None` for a miss, [`Degenerate`] as [`Ray3::check`] says.
     #[inline(always)]
     pub fn found(&self, span: Span<R>) -> Result<Option<Found<R>>, Degenerate> {
         self.ray.check()?;
@@ -138,7 +139,7 @@ impl<R: Real> Robust<'_, R> {
         }))
     }
 
-    /// The nearest hit in `span`.
+    /// The nearest hit in `span`; `None` and [`Degenerate`] as [`Robust::found`] says.
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         let Some(found) = self.found(span)? else { return Ok(None) };

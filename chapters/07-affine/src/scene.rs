@@ -91,7 +91,8 @@ pub fn five<R: Real>() -> Result<[Placed<R>; 5], Degenerate> {
     ])
 }
 
-/// The object that a ray meets first, and where. On a tie the earlier one.
+/// The object that a ray meets first at λ ≥ 0, and where. On a tie the earlier one. `None` where it meets
+/// none; a ray that [`Ray3::check`] refuses meets none.
 pub fn first<'a, R: Real>(
     method: Method,
     ray: &Ray3<R>,
@@ -121,7 +122,7 @@ fn affine<R: Real>(rows: [[f32; 3]; 3], [x, y, z]: [f32; 3]) -> Affine<R> {
     Affine { a, t: R::vec3(R::from(x), R::from(y), R::from(z)) }
 }
 
-/// The unit sphere squashed along q = (2, −1, 2)/3 until it is `condition` times as wide as thick:
+/// The unit sphere squashed along q = (2, −1, 2)/3 until it is `condition` ≥ 1 times as wide as thick:
 /// A = 1 − (1 − 1/condition) q qᵀ, rounded.
 pub fn squashed_by<R: Real>(condition: f64) -> Affine<R> {
     let q = [2.0, -1.0, 2.0];
@@ -144,12 +145,13 @@ pub fn into_the_squashed<R: Real>(condition: f64) -> Ray3<R> {
     Ray3::new(R::vec3(x, y, z), R::vec3(R::from(2.0), R::from(2.0), R::from(-1.0)))
 }
 
-/// The eye: level, 2 above the ground, looking along −z at what stands around z = 0.
+/// The eye, in the world: level, 2 above the ground, looking along −z at what stands around z = 0.
 pub const EYE: [f64; 3] = [0.0, 2.0, 10.8];
-/// How far the view plane is from the eye.
+/// How far the view plane is from the eye, in units of the world.
 pub const F: f64 = 2.0;
 
-/// The camera at [`EYE`] with a window on the view plane.
+/// The camera at [`EYE`] with a window on the view plane, y upward. [`Degenerate::NotFinite`] where a number
+/// of the window is infinite or NaN.
 pub fn camera<R: Real>(window: Window<R>) -> Result<Camera<R>, Degenerate> {
     let (zero, one) = (R::from(0.0), R::from(1.0));
     let [x, y, z] = EYE.map(R::round_from);
@@ -157,7 +159,8 @@ pub fn camera<R: Real>(window: Window<R>) -> Result<Camera<R>, Degenerate> {
     Camera::looking(R::vec3(x, y, z), forward, up, Handedness::Right, R::round_from(F), window)
 }
 
-/// Where the eye sees a point before it, on the view plane.
+/// Where the eye sees a point of the world before it, on the view plane: (x, y) in the units of the window. A
+/// point level with the eye gives numbers that are not finite.
 pub fn seen_at([x, y, z]: [f64; 3]) -> (f64, f64) {
     let depth = EYE[2] - z;
     ((x - EYE[0]) * F / depth, (y - EYE[1]) * F / depth)
@@ -169,7 +172,8 @@ pub fn worked<R: Real>(camera: &Camera<R>) -> Ray3<R> {
     camera.ray((R::round_from(-0.44), R::round_from(-0.24)))
 }
 
-/// The ray of a pixel, through its center (House 4.1), from the eye.
+/// The ray of a pixel, through its center (House 4.1), from the eye. `size` is (columns, rows), `pixel`
+/// (column, row) from the top left; λ is 1 at the view plane.
 pub fn pixel_ray<R: Real>(camera: &Camera<R>, size: (u32, u32), pixel: (u32, u32)) -> Ray3<R> {
     camera.ray(centers(&camera.window, size, pixel))
 }

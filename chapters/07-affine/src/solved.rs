@@ -56,7 +56,8 @@ pub fn solved<'a, R: Real>(ray: &Ray3<R>, deformed: &'a Deformed<R>) -> Solved<'
     Solved { ray: *ray, deformed, a_minus_t, eliminated, ray_prime, undeformed }
 }
 
-/// Gaussian elimination: in each column the equation with the largest coefficient is taken to clear the others below.
+/// Gaussian elimination: in each column the equation with the largest coefficient is taken to clear the
+/// others below. `u` are the coefficients, an equation a row, and each of `b` is a right-hand side.
 #[inline]
 pub fn eliminate<R: Real, const N: usize>(mut u: [[R; 3]; 3], mut b: [[R; 3]; N]) -> Eliminated<R, N> {
     let magnitude = |x: R| if x < R::from(0.0) { -x } else { x };
@@ -110,7 +111,8 @@ fn inverse_transposed_times<R: Real>(a: &Matrix3<R>, n: R::Vec3) -> R::Vec3 {
 }
 
 impl<R: Real> Solved<'_, R> {
-    /// The λ* of the nearest hit in `span`, in both spaces. `None` also where a pivot vanishes.
+    /// The λ* of the nearest hit in `span`, in both spaces. `None` for a miss, and where a pivot vanishes;
+    /// [`Degenerate`] as [`Ray3::check`] says.
     #[inline]
     pub fn found(&self, span: Span<R>) -> Result<Option<Found<R>>, Degenerate> {
         self.ray.check()?;
@@ -122,7 +124,7 @@ impl<R: Real> Solved<'_, R> {
         Ok(Found::brought_back(&self.ray, hit, a_inverse_transposed_n))
     }
 
-    /// The nearest hit in `span`.
+    /// The nearest hit in `span`; `None` and [`Degenerate`] as [`Solved::found`] says.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         Ok(self.found(span)?.map(|found| found.hit()))

@@ -24,7 +24,7 @@ pub enum Undeformed<R: Real> {
 pub struct Level<R: Real> {
     /// λ* = −a′_z / d′_z. Infinite or NaN where d′_z = 0.
     pub lambda: R,
-    /// r′(λ*). In the triangle its x and y are α and β.
+    /// r′(λ*). In the triangle its x and y are α and β. Not finite where λ* is not.
     pub p: R::Vec3,
 }
 
@@ -51,7 +51,7 @@ impl<R: Real> Level<R> {
     }
 }
 
-/// Works out the object's own method.
+/// Works out the object's own method, for a ray in its space with a direction of any length but zero.
 #[inline]
 pub fn undeformed<R: Real>(object: Object, ray: &Ray3<R>) -> Undeformed<R> {
     match object {
@@ -71,6 +71,7 @@ pub fn undeformed<R: Real>(object: Object, ray: &Ray3<R>) -> Undeformed<R> {
 
 impl<R: Real> Undeformed<R> {
     /// The hit at the smallest λ in `span`, in the object's own space; `None` for a miss, and where a number is NaN.
+    /// The normal of a flat object is (0, 0, 1), whichever side the ray comes from.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Option<Hit3<R>> {
         match self {

@@ -31,7 +31,7 @@ pub enum Transform {
     },
     /// By a vector.
     Translate([f64; 3]),
-    /// ȳ = A x̄, row by row.
+    /// ȳ = A x̄, row by row, any matrix that has an inverse.
     Matrix([[f64; 3]; 3]),
 }
 
@@ -51,7 +51,8 @@ impl Transform {
     }
 }
 
-/// Several steps in one, the first of them done first: A₂ (A₁ x̄ + t₁) + t₂ = (A₂ A₁) x̄ + (A₂ t₁ + t₂).
+/// Several steps in one, the first of them done first: A₂ (A₁ x̄ + t₁) + t₂ = (A₂ A₁) x̄ + (A₂ t₁ + t₂). Of no
+/// step it is the identity. Whether the whole has an inverse is for [`Affine::check`] to say.
 pub fn composed(steps: &[Transform]) -> Affine<f64> {
     let none = Affine { a: Matrix3::identity(), t: f64::vec3(0.0, 0.0, 0.0) };
     steps.iter().map(Transform::affine).fold(none, |first, next| Affine {
@@ -83,7 +84,7 @@ fn sin_cos(degrees: f64) -> (f64, f64) {
     }
 }
 
-/// A deformation in another precision, each number rounded once.
+/// A deformation in another precision, each number rounded once: infinite where it is too large for R.
 pub fn rounded<R: Real>(affine: &Affine<f64>) -> Affine<R> {
     Affine { a: Matrix3 { columns: affine.a.columns.map(vector::<R>) }, t: vector::<R>(affine.t) }
 }
@@ -95,7 +96,8 @@ fn vector<R: Real>(v: <f64 as Real>::Vec3) -> R::Vec3 {
 
 /// A sphere deformed: the unit sphere, made as large and put where the sphere is, then deformed.
 ///
-/// [`Degenerate::NotFinite`] and [`Degenerate::Singular`] where the whole has no inverse.
+/// The radius must be above 0. [`Degenerate::NotFinite`] and [`Degenerate::Singular`] as [`Affine::check`]
+/// says of the whole, rounded to R.
 pub fn sphere<R: Real>(sphere: &Sphere<f64>, by: &Affine<f64>) -> Result<Shape<R>, Degenerate> {
     let a = Matrix3 { columns: by.a.columns.map(|column| column * sphere.radius) };
     let whole = Affine { a, t: by.apply(sphere.center) };
@@ -111,7 +113,8 @@ pub fn solid<R: Real>(solid: Solid, by: &Affine<f64>) -> Result<Shape<R>, Degene
     Ok(Shape::Deformed(Box::new(Deformed::new(object, rounded(by))?)))
 }
 
-/// A plane deformed: a point of it is moved, and its normal becomes A⁻ᵀ n (CSC418 11.6.1).
+/// A plane deformed: a point of it is moved, and its normal becomes [`normal`]'s unit vector along A⁻ᵀ n
+/// (CSC418 11.6.1).
 pub fn plane(plane: &Plane<f64>, by: &Affine<f64>) -> Plane<f64> {
     Plane { point: by.apply(plane.point), normal: normal(plane.normal, &by.a) }
 }

@@ -11,10 +11,11 @@ use crate::Scene;
 
 pub use object::transform;
 
-/// The scene of a file, for a picture of `size` pixels; `None`: of the size that the file says.
+/// The scene of a file, for a picture of `size` = (columns, rows), neither 0; `None`: of the size that the
+/// file says.
 ///
-/// An [`Error`] with its place where the camera has no frame, where a shape has no extent or a transform no inverse, and
-/// where a number is too large for R.
+/// An [`Error`] with its place where the camera has no frame, no rays or no such grid, where a shape has no
+/// extent or is no polygon or mesh, where a transform has no inverse, and where a number is too large for R.
 pub fn scene<R: Real>(file: &scene_file::Scene, size: Option<(u32, u32)>) -> Result<Scene<R>, Error> {
     let size = size.unwrap_or(file.camera.size.value);
     let (camera, grid) = camera::camera(file, size)?;

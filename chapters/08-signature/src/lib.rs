@@ -7,7 +7,8 @@
 //! the same loop with another range of t.
 //!
 //! The shapes are those of the chapters before, each met by the formulas of the notes or by the robust ones
-//! ([`Method`]). What puts them in their place is in [`mod@deform`].
+//! ([`Method`]). What puts them in their place is in [`mod@deform`]; `from_file` makes a scene of what a file
+//! says.
 //!
 //! Two spheres, one behind the other:
 //!
@@ -92,13 +93,17 @@ impl<R: Real> Scene<R> {
     /// The ray from the eye through a pixel's point p̄_ij of the view plane: r̄(λ) = ē + λ (p̄_ij − ē).
     ///
     /// The page starts it at p̄_ij; we start at the eye, so that what stands before the view plane is seen too
-    /// (slip 22). The page's λ is ours less 1.
+    /// (slip 22). The page's λ is ours less 1. The pixel is (column, row), from the top left.
+    ///
+    /// Where the grid has no such point, as `edges` in a picture of one column, it is the middle of the
+    /// window.
     #[inline]
     pub fn ray(&self, pixel: (u32, u32)) -> Ray3<R> {
         self.ray_within(pixel, (R::from(0.5), R::from(0.5)))
     }
 
-    /// The same through another point of the pixel: see [`Grid::point_within`].
+    /// The same through another point of the pixel, across it and down it from 0 to 1: see
+    /// [`Grid::point_within`].
     #[inline]
     pub fn ray_within(&self, pixel: (u32, u32), within: (R, R)) -> Ray3<R> {
         // A scene whose grid has no such point is refused when it is made.
@@ -112,7 +117,8 @@ impl<R: Real> Scene<R> {
 pub enum Method {
     /// The robust method of every chapter.
     Robust,
-    /// CSC418's of every chapter: `half-quadratic` for a sphere, `matrix` for a triangle, else `notes`.
+    /// CSC418's of every chapter: `half-quadratic` for a sphere, `matrix` for a triangle and the faces of a
+    /// mesh, else `notes`.
     Notes,
 }
 

@@ -34,8 +34,8 @@ pub enum Shape<R: Real> {
 }
 
 impl<R: Real> Shape<R> {
-    /// The nearest hit in `span`, by the method of the shape's own chapter; `None` for a miss. The ray must be a ray:
-    /// [`Ray3::check`].
+    /// The nearest hit in `span`, by the method of the shape's own chapter; `None` for a miss, and for a
+    /// shape that its chapter refuses. The ray must be a ray: [`Ray3::check`].
     pub fn hit(&self, method: Method, ray: &Ray3<R>, span: Span<R>) -> Option<Hit3<R>> {
         let hit = match method {
             Method::Robust => self.robust(ray, span),
@@ -71,8 +71,9 @@ impl<R: Real> Shape<R> {
         }
     }
 
-    /// What plain `f64` says of the robust method's answer at a glance: nothing, for solids. Of a mesh it is asked face by
-    /// face. The ray must be a ray, and `line` its line.
+    /// What plain `f64` says of the robust method's answer at a glance: [`Glance::Unsure`] for all that is of
+    /// chapter 07, for the unit solids, and for a mesh, of which it is asked face by face. The ray must be a
+    /// ray, and `line` its line.
     #[inline(always)]
     pub fn glance(&self, ray: &Ray3<R>, line: &Line) -> Glance {
         match self {
@@ -85,8 +86,8 @@ impl<R: Real> Shape<R> {
         }
     }
 
-    /// How the ray runs along a flat shape, exactly; `None` where it meets its plane, for a solid, and for a mesh,
-    /// which has many planes. The ray must be a ray.
+    /// How the ray runs along a flat shape, exactly; `None` where it meets its plane, for a solid or an open
+    /// cone, and for a mesh, which has many planes. The ray must be a ray.
     pub fn parallel(&self, ray: &Ray3<R>) -> Option<Parallel> {
         match self {
             Shape::Plane(plane) => match ray_plane::robust(ray, plane).meeting() {

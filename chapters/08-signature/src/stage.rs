@@ -73,7 +73,8 @@ pub(crate) fn worked(ask: &Ask, size: (u32, u32)) -> (u32, u32) {
 
 /// Reads a scene file, or the chapter's own scene.
 ///
-/// [`Error::Request`] with file, line and column where it is no scene.
+/// [`Error::Request`] with file, line and column where it is no scene, [`Error::Failed`] where it cannot be
+/// read.
 pub fn read(path: Option<&Path>) -> Result<scene_file::Scene, Error> {
     match path {
         Some(path) => scene_file::Scene::read(path).map_err(fault),
@@ -91,7 +92,8 @@ pub fn built_in(name: &str) -> Result<scene_file::Scene, Error> {
     }
 }
 
-/// What is wrong with a scene file, as a stage says it.
+/// What is wrong with a scene file, as a stage says it: [`Error::Request`] where the file is to be mended,
+/// [`Error::Failed`] where it could not be read.
 pub fn fault(error: scene_file::Error) -> Error {
     match error.status() {
         2 => Error::Request(error.to_string()),

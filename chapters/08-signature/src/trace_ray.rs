@@ -10,6 +10,8 @@ use crate::{First, Hit3, Method, Object};
 /// The listing looks at both roots of a sphere, and each shape's own chapter has done so when it gives its nearest t
 /// in the range. With [`Span::ahead`] it is [`fn@crate::first_hit`] by another name; the page's main method asks for
 /// [1, inf], and what stands between the eye and the view plane is not seen.
+///
+/// `None` where the ray hits nothing in the range. The ray must be a ray: [`Ray3::check`].
 pub fn trace_ray<R: Real>(
     method: Method,
     ray: &Ray3<R>,

@@ -140,16 +140,17 @@ impl<'a, R: Real> Bounded<'a, R> {
         self.trial.formulas()
     }
 
-    /// What a pixel sees first, and where.
+    /// What a pixel of the picture, (column, row) from the top left, sees first at λ ≥ 0, and where; `None`
+    /// where it sees nothing. A row that the picture does not have may panic.
     #[inline]
     pub fn seen(&self, pixel: (u32, u32), counts: &mut impl Tally) -> Option<First<R>> {
         let query = Query::new(self.scene.ray(pixel), Span::ahead());
         self.first(&query, Some(pixel), counts).map(|first| self.object(first))
     }
 
-    /// What any ray hits first in `span`, which must not begin below 0: the same as
-    /// [`fn@signature::first_hit`] by the robust methods. The ray must be a ray. Extents help rays of the eye
-    /// only.
+    /// What any ray hits first in `span`, which must not begin below 0; `None` where it hits nothing. By the
+    /// robust formulas it is the same as [`fn@signature::first_hit`]; of the notes' see [`Bounded::by`]. The
+    /// ray must be a ray. Extents help [`Bounded::seen`] only.
     #[inline]
     pub fn first_hit(&self, ray: &Ray3<R>, span: Span<R>, counts: &mut impl Tally) -> Option<First<R>> {
         let query = Query::new(*ray, span);
@@ -169,8 +170,8 @@ impl<'a, R: Real> Bounded<'a, R> {
         Some(Found { part, lambda })
     }
 
-    /// Where the ray hits what was found for it: λ, the point and the normal. λ is worked out once, for this
-    /// part.
+    /// Where the ray hits what [`Bounded::find`] found for the same query: λ, the point and the unit normal.
+    /// λ is worked out once, for this part.
     #[inline]
     pub fn hit_of(&self, query: &Query<R>, found: Found<R>) -> Option<Hit3<R>> {
         let Found { part, lambda } = found;
@@ -192,7 +193,7 @@ impl<'a, R: Real> Bounded<'a, R> {
         self.search::<true>(query, None, counts).map(|(part, _)| part)
     }
 
-    /// Whether one part is hit.
+    /// Whether one part is hit in the span of the query.
     #[inline]
     pub fn hits(&self, part: usize, query: &Query<R>, counts: &mut impl Tally) -> bool {
         counts.tests(1);

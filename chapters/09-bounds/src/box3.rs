@@ -23,8 +23,8 @@ impl Box3 {
     /// The box with nothing in it; united with another it is the other.
     pub const EMPTY: Box3 = Box3 { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
-    /// The smallest such box around points. A NaN among their numbers is passed over: refuse such a shape
-    /// before.
+    /// The smallest such box around points, [`Box3::EMPTY`] around none. A NaN among their numbers is passed
+    /// over: refuse such a shape before.
     #[inline]
     pub fn around<R: Real>(points: impl IntoIterator<Item = R::Vec3>) -> Box3 {
         let around_one = |point: R::Vec3| {

@@ -3,9 +3,9 @@
 /// What a search did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Boxes that were tested.
+    /// Bounds that were tested: boxes, spheres, or rectangles of pixels.
     pub boxes: u64,
-    /// Objects that were tested.
+    /// Objects that were tested, of a mesh its faces.
     pub tests: u64,
     /// Tests that met their object, in the span that was left.
     pub hits: u64,
@@ -14,9 +14,9 @@ pub struct Counts {
 /// Who counts: [`Counts`], or [`Uncounted`], which costs nothing as nothing is left of it in the compiled
 /// program.
 pub trait Tally {
-    /// So many more boxes were tested.
+    /// So many more bounds were tested.
     fn boxes(&mut self, more: usize);
-    /// So many more objects were tested.
+    /// So many more objects were tested, of a mesh its faces.
     fn tests(&mut self, more: usize);
     /// One more object was hit.
     fn hit(&mut self);

@@ -1,18 +1,19 @@
 //! Not testing what cannot be hit.
 //!
-//! "Intersection tests are expensive when there are large numbers of objects" (CSC418 11.5). The page bounds an object
-//! by a sphere or a box, and tests it only where the bound is met; or it projects the object's extent onto the image
-//! plane. What follows from it is to bound the bounds: a tree. [`Bounded`] is a scene with one of them ([`Method`]), and
-//! whichever it is, each ray sees the same object at the same λ, to the last bit. That is what the two halves of this
-//! chapter are about:
+//! "Intersection tests are expensive when there are large numbers of objects" (CSC418 11.5). The page bounds
+//! an object by a sphere or a box, and tests it only where the bound is met; or it projects the object's
+//! extent onto the image plane ([`mod@projected`]). What follows from it is to bound the bounds: a tree.
+//! [`Bounded`] is a scene with one of them ([`Method`]), and whichever it is, each ray sees the same object
+//! at the same λ, to the last bit. That is what the two halves of this chapter are about:
 //!
 //! - The objects are met by the robust methods, whose verdict is exact, so that what is outside a bound cannot be hit
 //!   ([`mod@parts`]).
 //! - A bound leaves nothing out: boxes are rounded outward ([`mod@box3`]), spheres too ([`mod@around`]), and the test
 //!   of a box never says a wrong no ([`mod@slab`]).
 //!
-//! [`mod@tree`] is the tree that one writes down, [`mod@wide`] the fast one, which nobody needs to understand who
-//! only wants to know what it answers.
+//! [`mod@tree`] is the tree that one writes down, [`mod@wide`] the fast one, which nobody needs to understand
+//! who only wants to know what it answers. [`Query`] is what is asked of a scene, [`mod@trial`] says how a
+//! ray is tried on one part, and [`Counts`] what an answer took.
 //!
 //! A row of a hundred spheres, of which a ray up meets one. How many are tried to find out?
 //!

@@ -34,7 +34,7 @@ impl<R: Real> Nearest<R> {
         }
     }
 
-    /// Which object, and where on the ray.
+    /// Which object, and its t; `None` where there is no hit yet.
     #[inline(always)]
     pub fn hit(&self) -> Option<(usize, R)> {
         self.index.map(|index| (index, self.span.max))

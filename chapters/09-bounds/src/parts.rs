@@ -72,7 +72,7 @@ impl<'a, R: Real> Parts<'a, R> {
     }
 
     /// The t of the nearest hit of a part in `span`, by the robust method of its chapter, whose verdict is
-    /// exact: so what a bound leaves out would not have been hit.
+    /// exact: so what a bound leaves out would not have been hit. `None` for a miss. The ray must be a ray.
     #[inline]
     pub fn hit(&self, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<R> {
         self.whole_hit(Method::Robust, part, ray, span).map(|hit| hit.t)
@@ -88,8 +88,8 @@ impl<'a, R: Real> Parts<'a, R> {
         }
     }
 
-    /// The same with the point and the normal, by either method; of a mesh the normal of the face. `None` for
-    /// a miss.
+    /// The nearest hit of a part in `span` with the point and the unit normal, by either method; of a mesh
+    /// the normal of the face. `None` for a miss. The ray must be a ray.
     #[inline]
     pub fn whole_hit(&self, method: Method, part: usize, ray: &Ray3<R>, span: Span<R>) -> Option<Hit3<R>> {
         let Part { shape, face, .. } = self.all[part];
@@ -107,7 +107,7 @@ impl<'a, R: Real> Parts<'a, R> {
         }
     }
 
-    /// A box around a part; `None` for a plane, which has none.
+    /// A box around a part, in the world; `None` for a plane, which has none.
     pub fn bounds(&self, part: usize) -> Option<Box3> {
         let Part { shape, face, .. } = self.all[part];
         match shape {

@@ -16,9 +16,9 @@ use crate::Box3;
 /// The pixels in which a box may be seen.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rectangle {
-    /// Columns.
+    /// Columns, from 0 at the left.
     pub cols: RangeInclusive<u32>,
-    /// Rows.
+    /// Rows, from 0 at the top.
     pub rows: RangeInclusive<u32>,
 }
 
@@ -36,7 +36,7 @@ impl Extents {
     /// The most bands: a picture may have 2^28 rows, and an object be in most of them.
     const MOST: u32 = 1024;
 
-    /// Objects with their rectangles in a picture of so many rows.
+    /// Objects with their rectangles, which must lie in a picture of so many rows.
     pub fn new(height: u32, objects: impl IntoIterator<Item = (usize, Rectangle)>) -> Extents {
         let rows_each = height.div_ceil(Extents::MOST).max(1);
         let (mut tall, mut bands) = (Vec::new(), vec![Vec::new(); height.div_ceil(rows_each) as usize]);
@@ -53,7 +53,8 @@ impl Extents {
         Extents { tall, bands, rows_each }
     }
 
-    /// All objects that may be seen in a row, and where there are many rows, some that are in one next to it.
+    /// All objects that may be seen in a row of the picture, and where there are many rows, some that are in
+    /// one next to it.
     pub fn in_row(&self, row: u32) -> impl Iterator<Item = &(usize, Rectangle)> {
         self.tall.iter().chain(&self.bands[(row / self.rows_each) as usize])
     }

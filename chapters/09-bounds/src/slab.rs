@@ -63,8 +63,8 @@ const UNIT: f32 = f32::EPSILON / 2.0;
 const SMALLEST: f32 = f32::from_bits(1);
 
 impl Slabs {
-    /// Works out what all boxes have in common. A ray that is not finite, or without direction, passes any
-    /// box.
+    /// Works out what all boxes have in common. What it says of a ray that is not finite, or without
+    /// direction, means nothing.
     #[inline(always)]
     pub fn new<R: Real>(ray: &Ray3<R>) -> Slabs {
         let (o, d) = (R::xyz(ray.origin), R::xyz(ray.direction));
@@ -85,8 +85,8 @@ impl Slabs {
         slabs
     }
 
-    /// Where the ray enters the box, not below `reach.min` and never too late; `None` where it surely passes
-    /// the box, or is in it outside `reach` only.
+    /// t where the ray enters the box, not below `reach.min` and never too late; `None` where it surely
+    /// passes the box by, or is in it outside `reach` only.
     #[inline(always)]
     pub fn enter(&self, bounds: &Box3, reach: Reach) -> Option<f32> {
         // exercise begin: Before any slab is looked at: from which t to which is the box of interest?
@@ -129,12 +129,12 @@ pub(crate) fn smaller(t: f32, other: f32) -> f32 {
     if t < other { t } else { other }
 }
 
-/// The range of t in which a box counts.
+/// The range of t in which a box counts, in lengths of the ray's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
     /// Not below zero.
     pub min: f32,
-    /// The nearest hit so far.
+    /// The nearest hit so far, or a little more: see [`Reach::of`].
     pub max: f32,
 }
 

@@ -48,8 +48,8 @@ impl Tree {
     ///
     /// `test(index, span)` is the t of one object if it is hit in that span, which shrinks as hits are found.
     /// The answer is exactly that of trying all objects in turn, if each test's t is within
-    /// [`Reach::ULPS`](crate::Reach::ULPS) of a point in the object's box. A span that begins below zero is
-    /// taken to begin at zero.
+    /// [`Reach::ULPS`](crate::Reach::ULPS) of a point in the object's box. The ray must be a ray. A span that
+    /// begins below zero is taken to begin at zero.
     pub fn closest<R: Real>(
         &self,
         ray: &Ray3<R>,

@@ -51,7 +51,7 @@ pub struct Wide {
 }
 
 impl Wide {
-    /// A tree over boxes, of which there are fewer than 2²⁷.
+    /// A tree over boxes, of which there are fewer than 2²⁷; with more it panics.
     pub fn build(boxes: &[Box3]) -> Wide {
         let tree = binary(boxes, 1..=2);
         let nodes = collapse(&tree, Prices::ONE_BY_ONE);

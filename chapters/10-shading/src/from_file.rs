@@ -51,7 +51,7 @@ fn painted(file: &scene_file::Scene, it: &scene_file::Object) -> Painted {
     Painted { material: it.material, texture }
 }
 
-/// How an object gets its (u, v); `None` for a shape that has none.
+/// How an object gets its (u, v); `None` for a shape that has none: all but planes, spheres and triangles.
 pub fn mapping(it: &scene_file::Object) -> Option<Mapping> {
     let steps: Vec<_> = it.transform.iter().map(|step| transform(step.value)).collect();
     let by: Affine<f64> = deform::composed(&steps);

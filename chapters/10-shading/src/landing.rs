@@ -25,7 +25,8 @@ pub struct Landing<R: Real> {
 }
 
 impl<R: Real> Landing<R> {
-    /// What a ray hits first, `None` where it hits nothing. `with_place`: of which objects (α, β) is wanted.
+    /// What a ray hits first, `None` where it hits nothing. `with_place`: of which objects (α, β) is wanted,
+    /// by their place in the scene.
     #[inline]
     pub fn of(
         bounded: &Bounded<'_, R>,
@@ -77,8 +78,9 @@ impl<R: Real> Landing<R> {
         }
     }
 
-    /// n⃗ and the face's normal as a ray with this direction sees them: the face is turned toward where the ray comes from,
-    /// and n⃗ turns with it.
+    /// n⃗ and the face's normal as a ray with this direction, of any length, sees them: the face is turned
+    /// toward where the ray comes from, and n⃗ turns with it. So n⃗ of a smooth mesh may still point away from
+    /// there.
     #[inline(always)]
     pub fn turned_toward(&self, direction: R::Vec3) -> Turned<R> {
         let from_outside = self.face_normal.dot(direction) <= R::from(0.0);
@@ -92,9 +94,9 @@ impl<R: Real> Landing<R> {
 /// The normals as the viewer sees them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned<R: Real> {
-    /// n⃗, to shade with.
+    /// n⃗, a unit vector, to shade with.
     pub n: R::Vec3,
-    /// The face's.
+    /// The face's, a unit vector.
     pub face: R::Vec3,
     /// The ray came from the side to which the surface's own normal points: of a solid, from without.
     pub from_outside: bool,

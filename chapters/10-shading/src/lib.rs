@@ -6,8 +6,10 @@
 //! E = r_a I_a C + Σ V [ r_d I C max(0, n⃗·s⃗) + r_s I max(0, c⃗·m⃗)^α ]
 //! ```
 //!
-//! term by term in [`mod@phong`], with the color C from a texture where there is one ([`mod@texture`]), and with V = 0
-//! for a light that p̄ does not see ([`mod@shadow`]).
+//! term by term in [`mod@phong`], with the color C from a texture where there is one ([`mod@texture`]), and
+//! with V = 0 for a light that p̄ does not see ([`mod@shadow`]). [`mod@landing`] is p̄ and its normals for a
+//! ray, [`mod@lighting`] the sum over all lights. A [`Scene`] is chapter 08's, with what its objects are made
+//! of and what shines on them; light is linear ([`Rgb`]).
 //!
 //! To ask whether p̄ sees the light is to send a second ray, and there the page has a gap. p̄ is rounded: it lies a
 //! little before its surface or behind it, and from behind the surface shades itself. [`mod@start`] has the remedies

@@ -61,12 +61,12 @@ pub struct Point<R: Real> {
     pub c: R::Vec3,
     /// C, with the texture.
     pub color: Rgb,
-    /// Where the rays start that leave it; `None` where nobody asked yet.
+    /// Where the rays start that leave it.
     pub starts: Starts<R>,
 }
 
 impl<'a, R: Real> Lighting<'a, R> {
-    /// What a shading needs to know of a landing, by a ray with this direction.
+    /// What a shading needs to know of a landing, by a ray with this direction, of any length but zero.
     ///
     /// `None` where the point is too far away to be a number: then there is no way from it to a light, and only the ambient
     /// term is left.
@@ -96,7 +96,7 @@ impl<'a, R: Real> Lighting<'a, R> {
         })
     }
 
-    /// C at a landing: the material's color, times the texture where there is one.
+    /// C at a landing, linear: the material's color, times the texture where there is one.
     #[inline(always)]
     pub fn color(&self, landing: &Landing<R>) -> Rgb {
         let painted = &self.scene.painted[landing.object];
@@ -110,20 +110,20 @@ impl<'a, R: Real> Lighting<'a, R> {
         }
     }
 
-    /// What an object is made of.
+    /// What an object is made of, by its place in the scene.
     #[inline(always)]
     pub fn material(&self, object: usize) -> &'a Material {
         &self.scene.materials[self.scene.painted[object].material]
     }
 
-    /// r_a I_a C
+    /// r_a I_a C, with C as `color`.
     #[inline(always)]
     pub fn ambient(&self, object: usize, color: Rgb) -> Rgb {
         self.scene.ambient * color * self.material(object).ambient
     }
 
     /// E without what comes from elsewhere: the ambient term and, for each light in turn, the diffuse and the specular one.
-    /// `told` is told what became of each light.
+    /// Linear, before clamping. `told` is told what became of each light, by its place in the scene.
     #[inline]
     pub fn local(
         &self,

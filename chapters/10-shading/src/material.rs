@@ -2,10 +2,10 @@
 
 use crate::Rgb;
 
-/// The coefficients of Phong's model.
+/// The coefficients of Phong's model (CSC418 11.7.1), none of them negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// C, which multiplies the ambient and the diffuse term.
+    /// C, linear, which multiplies the ambient and the diffuse term.
     pub color: Rgb,
     /// r_a
     pub ambient: f64,

@@ -43,7 +43,7 @@ pub struct ByTangents<R: Real> {
     pub was_turned: bool,
 }
 
-/// The first way, at a point of the shape.
+/// The first way, at a point of the shape. At the apex of the cone the gradient is zero, and n⃗ is NaN.
 pub fn by_gradient<R: Real>(shape: Smooth, p: R::Vec3) -> ByGradient<R> {
     let ([x, y, z], two) = (R::xyz(p), R::from(2.0));
     // exercise gradient: How does each f change along x, along y and along z?

@@ -21,8 +21,11 @@ pub struct Phong<R: Real> {
     pub specular: Rgb,
 }
 
-/// The terms of a light with intensity `i` in the direction `to_light` = l̄ − p̄, which is not zero, on a surface with
-/// the unit normal `n` and the color `color`, seen from the unit direction `c`.
+/// The terms of a light with intensity `i` in the direction `to_light` = l̄ − p̄, of any length but zero, on a
+/// surface with the unit normal `n` and the color `color`, with the unit vector `c` to the viewer. Colors are
+/// linear.
+///
+/// V is not in it: a light behind the surface, n⃗·s⃗ < 0, may still give a specular term.
 #[inline(always)]
 pub fn phong<R: Real>(
     material: &Material,
@@ -64,8 +67,8 @@ fn from_zero_to_one<R: Real>(x: R) -> f64 {
     // end clamp
 }
 
-/// x^α for 0 ≤ x and 0 ≤ α, with 0⁰ = 1. A whole α is a product of squares, which is faster; the others take a
-/// logarithm, the same one on every machine.
+/// x^α for 0 ≤ x and 0 ≤ α, with 0⁰ = 1. A whole α up to 4096 is a product of squares, which is faster; the
+/// others take a logarithm, the same one on every machine.
 #[inline(always)]
 pub fn power(x: f64, alpha: f64) -> f64 {
     const LARGEST: f64 = 4096.0;

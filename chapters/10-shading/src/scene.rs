@@ -33,7 +33,7 @@ pub struct Painted {
 /// A point light, without attenuation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light<R: Real> {
-    /// l̄, finite.
+    /// l̄ in the world, finite.
     pub position: R::Vec3,
     /// I, for the diffuse and the specular term.
     pub intensity: Rgb,

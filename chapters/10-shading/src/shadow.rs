@@ -30,6 +30,9 @@ impl LastBlockers {
 
 /// A part that stands strictly between the point and the light, the object itself included; `None` where the point sees
 /// the light. Of several it is any.
+///
+/// `light` is the light's place in the scene and `position` l̄; `to_light` = l̄ − p̄ says to which side the ray
+/// leaves. `last` is of this scene alone.
 #[inline(always)]
 pub fn blocker<R: Real>(
     bounded: &Bounded<'_, R>,

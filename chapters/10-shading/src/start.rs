@@ -68,7 +68,7 @@ pub struct Starts<R: Real> {
     pub leaves: [Leaves; 2],
     /// The face's normal.
     pub face_normal: R::Vec3,
-    /// How much of their way does not count, in units of the scene.
+    /// How much of their way does not count: a length, in units of the scene, whatever the direction's is.
     pub skipped: R,
 }
 
@@ -89,7 +89,9 @@ pub fn spared<R: Real>(shape: &Shape<R>, part: usize) -> [Leaves; 2] {
 }
 
 impl<R: Real> Starts<R> {
-    /// Where the rays start from a point on `shape`, which was met by the formulas of `formulas`.
+    /// Where the rays start from a point on `shape`, which was met by the formulas of `formulas`; `face` is
+    /// the face of a mesh. The landing's point must be finite. Every part is tried but what
+    /// [`Start::Exclude`] passes.
     #[inline(always)]
     pub fn of(
         start: Start,
@@ -115,14 +117,15 @@ impl<R: Real> Starts<R> {
         }
     }
 
-    /// A ray in some direction, not zero, for as far as it goes.
+    /// A ray in some direction, of any length but zero, for as far as it goes. λ is in lengths of it.
     #[inline(always)]
     pub fn toward(&self, direction: R::Vec3) -> Query<R> {
         let span = Span::new(self.first_t(direction), R::INFINITY);
         self.leaving(direction, |origin| Query::new(Ray3::new(origin, direction), span))
     }
 
-    /// A ray to a light, which is at λ = 1; `to_light` is the direction in which to leave.
+    /// A ray to a light, which is at λ = 1; `to_light` is the direction in which to leave. The ray has no
+    /// direction where the light is at the very place from where it starts.
     ///
     /// The light itself does not count, nor a surface that it lies on: λ ends below 1 by what λ may be off
     /// there, which is [`bounds::Reach::ULPS`] units of its last digit, the rounding of the direction among

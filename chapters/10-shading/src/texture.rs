@@ -23,7 +23,7 @@ pub struct Textured {
 /// How a shape gets its (u, v). All in `f64`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mapping {
-    /// u and v along two axes of the plane, from its point.
+    /// u and v along two axes of the plane, from its point, in the units of the object's own space.
     Plane {
         /// Back to the object's own space; `None` where it is in it.
         back: Option<Back>,
@@ -34,7 +34,8 @@ pub enum Mapping {
         /// The axis of v.
         v: [f64; 3],
     },
-    /// u around the y axis, v from the pole at y = 1 to the other.
+    /// u once around the y axis from 0 to 1, ½ where x is largest and from there toward z; v from 0 at the
+    /// highest y to 1 at the lowest.
     Sphere {
         /// Back to the object's own space; `None` where it is in it.
         back: Option<Back>,
@@ -79,7 +80,8 @@ impl Mapping {
         Mapping::Plane { back, point, u: f64::xyz(u), v: f64::xyz(v) }
     }
 
-    /// (u, v) of a point of the surface; of a triangle, (α, β) as the method has them.
+    /// (u, v) of a point of the surface in the world; of a triangle, (α, β) as the method has them, (0, 0)
+    /// without.
     pub fn uv(&self, q: [f64; 3], alpha_beta: Option<(f64, f64)>) -> (f64, f64) {
         let own = |back: &Option<Back>| back.as_ref().map_or(q, |back| back.from(q));
         match self {
@@ -113,9 +115,10 @@ pub enum Texture {
     },
     /// A picture, repeated.
     Image {
-        /// Columns and rows.
+        /// Columns and rows, neither 0.
         size: (u32, u32),
-        /// Row by row from the top.
+        /// Red, green and blue from 0 to 255, row by row from the top, where v is 0. They are taken as
+        /// linear: an sRGB picture is not decoded.
         pixels: Arc<[[u8; 3]]>,
         /// How much of (u, v) it covers, above 0.
         scale: f64,
@@ -123,13 +126,14 @@ pub enum Texture {
 }
 
 impl Textured {
-    /// The color at a point of the surface.
+    /// The color at a point of the surface in the world, linear. (α, β) is for triangles: see
+    /// [`Mapping::uv`].
     pub fn at(&self, q: [f64; 3], alpha_beta: Option<(f64, f64)>) -> Rgb {
         let (u, v) = self.mapping.uv(q, alpha_beta);
         self.color(u, v)
     }
 
-    /// The color at (u, v).
+    /// The color at (u, v), linear.
     pub fn color(&self, u: f64, v: f64) -> Rgb {
         match &self.texture {
             Texture::Checker { colors, scale } => {

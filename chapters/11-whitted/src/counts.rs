@@ -28,7 +28,7 @@ impl Counts {
         self.eye + self.shadow + self.mirror + self.refracted
     }
 
-    /// Both together.
+    /// Adds the others to these.
     pub fn add(&mut self, other: &Counts) {
         self.eye += other.eye;
         self.shadow += other.shadow;

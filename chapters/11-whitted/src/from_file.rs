@@ -6,7 +6,8 @@ use shading::{Rgb, Texture, Textured};
 
 use crate::{Optics, Scene};
 
-/// The scene of a file, for a picture of `size` pixels, traced to `max_depth`; `None`: as the file says.
+/// The scene of a file, for a picture of `size` = (columns, rows), traced to `max_depth` ≥ 1; `None`: as the
+/// file says.
 ///
 /// An [`Error`] with its place as [`shading::from_file::scene`] gives it.
 pub fn scene<R: Real>(

@@ -1,16 +1,19 @@
 //! Whitted's recursive ray tracer (CSC418 11.7).
 //!
 //! ```text
-//! rayTrace(ā, b⃗, depth):  what the ray hits first ([`ray_trace`]'s find_first_hit), then rtShade there
+//! rayTrace(ā, b⃗, depth):  what the ray hits first (findFirstHit), then rtShade there
 //! rtShade(OBJ, p̄, n⃗, d⃗_e, depth):  the local model of chapter 10, and if depth < maxDepth
-//!     a ray in the mirror direction ([`mod@mirror`]) and one in the refracted direction ([`mod@refract`])
+//!     a ray in the mirror direction and one in the refracted direction
 //! ```
 //!
-//! [`Tracer`] is those three functions of the page, as they stand there. What they tell while they run goes to a
-//! [`Witness`]: nobody, who costs nothing; the [`Counts`]; or the [`tree`] of all rays of one pixel, down to the last term.
+//! [`Tracer`] is those three functions of the page, in [`mod@ray_trace`]. The two directions are
+//! [`mod@mirror`] and [`mod@refract`], and [`mod@media`] knows in which solid a ray is. What the functions
+//! tell while they run goes to a [`Witness`]: nobody, who costs nothing; the [`Counts`]; or the [`tree`] of
+//! all rays of one pixel, down to the last term.
 //!
-//! Only what the scene requires is modeled: see [`mod@requirements`]. And what can change nothing that anybody wants to know
-//! may be left out: see [`mod@tolerance`].
+//! Only what the scene requires is modeled: see [`mod@requirements`]. And what can change nothing that
+//! anybody wants to know may be left out: see [`mod@tolerance`]. `render` traces a whole picture, `from_file`
+//! takes a scene from a file, and `scenes` has the chapter's own.
 //!
 //! From glass into air: straight through at a right angle, and not at all beyond the critical angle.
 //!

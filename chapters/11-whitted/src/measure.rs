@@ -37,7 +37,7 @@ pub struct Measured {
     pub what: String,
     /// Its file, to be named with `--scene`; `None` for the chapter's own.
     pub path: Option<String>,
-    /// The size of its picture.
+    /// The size of its picture, columns and rows.
     pub size: (u32, u32),
     /// The scene's own depth.
     pub depth: u32,
@@ -52,7 +52,7 @@ pub struct Measured {
 pub struct Entry {
     /// What is set.
     pub setting: Setting,
-    /// What a whole picture takes on one thread: the median over the rounds.
+    /// How many seconds a whole picture takes on one thread: the median over the rounds.
     pub seconds: f64,
     /// The rays of the pixels that were measured.
     pub counts: Counts,

@@ -62,7 +62,7 @@ impl Media {
         // end leaves
     }
 
-    /// Takes the latest [`Media::pass`] back.
+    /// Takes the latest [`Media::pass`] back, by what it returned.
     #[inline(always)]
     pub fn undo(&mut self, undo: Undo) {
         // exercise undo: How does the stack become what it was before that surface?

@@ -11,7 +11,8 @@ pub struct Mirror<R: Real> {
     pub m_s: R::Vec3,
 }
 
-/// The mirror direction of `d`, at a surface with the unit normal `n`, which may point to either side.
+/// The mirror direction of `d`, of any length, at a surface with the unit normal `n`, which may point to
+/// either side.
 #[inline(always)]
 pub fn mirror<R: Real>(d: R::Vec3, n: R::Vec3) -> Mirror<R> {
     // exercise d_dot_n: How much of d⃗ goes along the normal?

@@ -34,7 +34,8 @@ pub struct Path {
 }
 
 impl<'a, R: Real> Tracer<'a, R> {
-    /// A tracer that models what `requirements` says. With a tolerance it leaves out what changes less.
+    /// A tracer that models what `requirements` says. With a tolerance, which must be that of the scene, it
+    /// leaves out what changes less. `bounded` is of the scene's own geometry.
     pub fn new(
         scene: &'a Scene<R>,
         bounded: &'a Bounded<'a, R>,
@@ -57,7 +58,10 @@ impl<'a, R: Real> Tracer<'a, R> {
         self.scene.max_depth
     }
 
-    /// What a pixel sees: the mean of `samples` × `samples` rays across it.
+    /// What a pixel sees, in linear radiance before clamping: the mean of `samples` × `samples` rays across
+    /// it, at least 1 × 1, with a tolerance at most 64 × 64. The pixel is (column, row) from the top left.
+    ///
+    /// A path begins as its default; the same tracer may use it again for the next pixel.
     pub fn pixel(
         &self,
         pixel: (u32, u32),
@@ -74,13 +78,15 @@ impl<'a, R: Real> Tracer<'a, R> {
         Rgb(sum.0.map(|channel| channel / count))
     }
 
-    /// The ray from the eye through a point of a pixel.
+    /// The ray from the eye through a point of a pixel: see [`signature::Scene::ray_within`].
     #[inline(always)]
     pub fn ray(&self, pixel: (u32, u32), within: (R, R)) -> Ray3<R> {
         self.scene.lit.geometry.ray_within(pixel, within)
     }
 
-    /// The page's rayTrace(p̄_ij, d⃗_ij, 1). An eye ray may hit at λ = 0.
+    /// The page's rayTrace(p̄_ij, d⃗_ij, 1): linear radiance, before clamping. An eye ray may hit at λ = 0. It
+    /// must start at the scene's eye, as the media are those around it. It recurses, and each level of depth
+    /// takes some kilobytes of the thread's stack.
     #[inline]
     pub fn eye_ray(&self, ray: &Ray3<R>, path: &mut Path, witness: &mut impl Witness<R>) -> Rgb {
         path.weight = 1.0;

@@ -65,8 +65,9 @@ impl<R: Real> Refraction<R> {
 
     /// θ2 in degrees; `None` for total internal reflection.
     pub fn theta2(&self) -> Option<f64> {
-        let sin2: f64 = self.sin2_theta2.into();
-        (sin2 <= 1.0).then(|| degrees(sin2.sqrt(), (1.0 - sin2).sqrt()))
+        // of a ray that grazes and is not bent it may come out a little above 1
+        let sin2 = Into::<f64>::into(self.sin2_theta2).min(1.0);
+        self.t.map(|_| degrees(sin2.sqrt(), (1.0 - sin2).sqrt()))
     }
 }
 
@@ -74,8 +75,8 @@ fn degrees(sin: f64, cos: f64) -> f64 {
     portable::atan2(sin, cos).to_degrees()
 }
 
-/// The critical angle θ_c in degrees, at which θ2 is 90°: sin θ_c = n2 / n1. Beyond it nothing enters the other medium.
-/// `None` where n2 ≥ n1: into the slower medium light always finds a way.
+/// The critical angle θ_c in degrees, at which θ2 is 90°: sin θ_c = n2 / n1, both above 0. Beyond it nothing
+/// enters the other medium. `None` where n2 ≥ n1: into the slower medium light always finds a way.
 pub fn critical_angle(n1: f64, n2: f64) -> Option<f64> {
     let sin = n2 / n1;
     // tan θ_c = sin / cos, with cos² = (1 − sin)(1 + sin)

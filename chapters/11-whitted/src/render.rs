@@ -30,8 +30,9 @@ const STACK: usize = 1 << 20;
 /// 2.5 KiB in `dev` and 6 KiB where nothing is optimized.
 const STACK_A_RAY: usize = 16 << 10;
 
-/// Traces a picture of `size` pixels with `samples` × `samples` rays each. The same for every number of threads; `None`: all
-/// that the machine has.
+/// Traces a picture with `samples` × `samples` rays a pixel, as [`Tracer::pixel`] takes them. `size` is the
+/// size that the scene was made for. The same for every number of threads; `None`: all that the machine has.
+/// `progress` is the name of a bar on a terminal; `None`: no bar.
 ///
 /// [`Error::Failed`] where the memory or the threads cannot be had.
 pub fn render<R: Real>(
@@ -69,7 +70,8 @@ pub(crate) fn stack_to(depth: u32) -> usize {
     STACK + depth as usize * STACK_A_RAY
 }
 
-/// All rays of a pixel; of `samples` × `samples` in it those of the one in the middle, or after it.
+/// All rays of a pixel; of `samples` × `samples` in it, at least 1 × 1, those of the one in the middle, or
+/// after it.
 ///
 /// [`Error::Failed`] where a thread with a stack for them cannot be had.
 pub fn tree<R: Real>(tracer: &Tracer<'_, R>, pixel: (u32, u32), samples: u32) -> Result<Tree<R>, Error> {

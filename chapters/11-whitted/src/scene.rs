@@ -16,11 +16,11 @@ pub struct Scene<R: Real> {
 /// What a material does with the rays that it sends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Optics {
-    /// r_g, the page's specularReflCoef; 0 where it is no mirror.
+    /// r_g, the page's specularReflCoef, not negative; 0 where it is no mirror.
     pub mirror: f64,
-    /// The page's refractiveReflCoef; 0 where nothing goes through.
+    /// The page's refractiveReflCoef, not negative; 0 where nothing goes through.
     pub transmit: f64,
-    /// The index of refraction of the inside, above 0.
+    /// The index of refraction of the inside, above 0; air has 1.
     pub ior: f64,
 }
 

@@ -113,7 +113,8 @@ pub(crate) fn worked(own: bool, size: (u32, u32)) -> (u32, u32) {
 
 /// Reads a scene file, or the chapter's own scene.
 ///
-/// [`Error::Request`] with file, line and column where it is no scene.
+/// [`Error::Request`] with file, line and column where it is no scene, [`Error::Failed`] where it cannot be
+/// read.
 pub fn read(path: Option<&Path>) -> Result<scene_file::Scene, Error> {
     match path {
         Some(path) => scene_file::Scene::read(path).map_err(fault),

@@ -33,7 +33,7 @@ pub struct Tolerance {
 const SAMPLES: f64 = 4096.0;
 
 impl Tolerance {
-    /// The bounds of a scene. `e` is finite and not negative.
+    /// The bounds of a scene, for at most 64 × 64 rays a pixel. `e` is finite and not negative.
     pub fn new<R: Real>(scene: &Scene<R>, e: f64) -> Tolerance {
         let lit = &scene.lit;
         let background = lit.background.largest().max(0.0);
@@ -81,7 +81,7 @@ impl Tolerance {
         self.at_most.get(depth as usize - 1).map_or(f64::INFINITY, |most| weight * most)
     }
 
-    /// B(depth), from depth 1; `None` beyond the last.
+    /// B(depth), in linear radiance, for a depth of at least 1; `None` beyond the last.
     pub fn bound(&self, depth: u32) -> Option<f64> {
         self.at_most.get(depth as usize - 1).copied()
     }

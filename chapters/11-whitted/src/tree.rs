@@ -20,7 +20,8 @@ pub struct Node<R: Real> {
     pub e: Rgb,
     /// The rays that were sent on: places in the tree.
     pub children: Vec<usize>,
-    /// The rays that were not: why they would have been sent, and how much they could have brought at most.
+    /// The rays that were not: why they would have been sent, and how much of the pixel's radiance they could
+    /// have brought at most.
     pub left_out: Vec<(Kind, f64)>,
 }
 
@@ -29,15 +30,16 @@ pub struct Node<R: Real> {
 pub struct Landed<R: Real> {
     /// The object's place in the scene.
     pub object: usize,
-    /// λ
+    /// λ, in lengths of the ray's direction.
     pub lambda: R,
     /// What the shading knows; `None` where p̄ is too far away to be a number.
     pub point: Option<Point<R>>,
-    /// What became of each light.
+    /// What became of each light, with its place in the scene.
     pub lights: Vec<(usize, Fate<R>)>,
     /// The local term.
     pub local: Rgb,
-    /// How light goes through, where it does; with whether it enters the solid or leaves it, if it is one.
+    /// How light goes through, where it does; with `Some(true)` where it enters a solid, `Some(false)` where
+    /// it leaves it, and `None` for what is no solid.
     pub refraction: Option<(Refraction<R>, Option<bool>)>,
     /// The solids that the ray is in before it goes through and after, the outermost first; none where it does not.
     pub media: Vec<Vec<usize>>,

@@ -36,7 +36,7 @@ pub struct Sent<R: Real> {
     pub kind: Kind,
     /// The page's depth, from 1.
     pub depth: u32,
-    /// The ray.
+    /// The ray: an eye ray reaches the view plane at λ = 1, the others have directions of unit length.
     pub ray: Ray3<R>,
     /// What its radiance is multiplied by: r_g, or the coefficient of what goes through; 1 for an eye ray.
     pub coefficient: f64,
@@ -52,7 +52,7 @@ pub trait Witness<R: Real>: Tally {
     fn sent(&mut self, _sent: &Sent<R>) {}
     /// So many rays were sent to lights.
     fn shadow_rays(&mut self, _more: u64) {}
-    /// It landed. `None`: too far away to be a number.
+    /// It landed on this object of the scene, at this λ. `None`: too far away to be a number.
     fn landed(&mut self, _object: usize, _lambda: R, _point: Option<&Point<R>>) {}
     /// What one light did there.
     fn light(&mut self, _light: usize, _fate: &Fate<R>) {}
@@ -60,11 +60,13 @@ pub trait Witness<R: Real>: Tally {
     fn local(&mut self, _e: Rgb) {}
     /// The media on one side of a surface that lets light through, and then those on the other.
     fn media(&mut self, _media: &Media) {}
-    /// It comes to a surface that lets light through.
+    /// It comes to a surface that lets light through. `Some(true)`: it enters a solid, `Some(false)`: it
+    /// leaves it; `None`: it is no solid.
     fn refraction(&mut self, _refraction: &Refraction<R>, _solid: Option<bool>) {}
-    /// A ray was not sent, as with all that it could bring it stays within the tolerance.
+    /// A ray was not sent, as with all that it could bring, its weight included, it stays within the
+    /// tolerance.
     fn left_out(&mut self, _kind: Kind, _at_most: f64) {}
-    /// What the ray sees.
+    /// What the ray sees, before it is multiplied by its coefficient.
     fn ends(&mut self, _e: Rgb) {}
 }
 

@@ -79,7 +79,8 @@ fn mark(line: &str) -> Option<Mark<'_>> {
 }
 
 /// The text with the named regions filled, and without the marks of any. A region that is not named stays as
-/// it is.
+/// it is. `Err` where a name is that of no region, where marks are wrong as [`regions`] says, and where a
+/// region that is to ask has something else in it than `let`s and expressions.
 pub fn cut(text: &str, fillings: &BTreeMap<String, Filling>) -> Result<String, String> {
     let regions = regions(text)?;
     if let Some(name) = fillings.keys().find(|&name| regions.iter().all(|region| region.name != *name)) {
@@ -180,7 +181,8 @@ fn is_value(statement: &syn::Stmt) -> bool {
     }
 }
 
-/// The statements of a region, each without white space and comments: what no hand-out may contain.
+/// The statements of a region, of a `let` the value alone, each without white space and comments: what no
+/// hand-out may contain. `Err` where the lines are no Rust.
 pub fn statements(region: &Region) -> Result<Vec<String>, String> {
     let (text, block) = block(region)?;
     let parts = block.stmts.iter().map(|statement| match statement {

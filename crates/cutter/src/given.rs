@@ -59,7 +59,8 @@ fn table(source: &Source, path: &str) -> Result<Table, String> {
 }
 
 impl Given {
-    /// The lines of `[dependencies]` for a crate, `to` being where the given ones are from there.
+    /// The lines of `[dependencies]` for a crate, `to` being where the given ones are from there, with a
+    /// slash at its end; none for a crate that is not among [`Given::needs`].
     pub fn dependencies(&self, name: &str, to: &str) -> String {
         let line = |need: &String| match self.outside.get(need) {
             Some(asked) => format!("{need} = {asked}\n"),

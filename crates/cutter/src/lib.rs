@@ -15,9 +15,12 @@
 //! writes a project for a student; [`modules`] writes the reference solution, the mistakes and other
 //! solutions as modules of one crate.
 //!
-//! What earlier chapters taught, and earlier exercises of the chapter, comes along solved; what later
-//! exercises of the chapter ask is hidden. No comment of a hand-out has a formula that is asked for: [`formulas`] finds
-//! them.
+//! What earlier chapters taught, and earlier exercises of the chapter, comes along solved ([`given`]); what
+//! later exercises of the chapter ask is hidden. No comment of a hand-out has a formula that is asked for:
+//! [`formulas`] finds them. Everything is read from a checkout, a [`Source`]. Where something is wrong with
+//! what is read the error is a text for whoever wrote the exercise: which file, and what is wrong there.
+//!
+//! [`named`] is apart from this: it looks in the sources for the tests and functions that a table names.
 //!
 //! A region, and what a student sees of it:
 //!

@@ -23,7 +23,7 @@ pub struct Manifest {
     pub title: String,
     /// The page of the notes.
     pub page: String,
-    /// How long it takes.
+    /// How long it takes, in minutes.
     pub minutes: u32,
     /// What it teaches.
     pub teaches: String,
@@ -76,7 +76,8 @@ pub struct Asked {
     pub name: String,
     /// What it counts.
     pub points: u32,
-    /// The cases; the first one goes along with the hand-out.
+    /// The cases, each with a number for each of [`Manifest::columns`]; the first one goes along with the
+    /// hand-out.
     pub cases: Vec<Vec<f64>>,
 }
 
@@ -127,7 +128,8 @@ impl Manifest {
         format!("{}/exercises/{name}.rs", self.folder)
     }
 
-    /// The library of the exercise, with its holes filled, and its probe: the files of `src`.
+    /// The library of the exercise, with its holes filled, and its probe: the files of `src`. `Err` where a
+    /// filling is for no region.
     pub fn library(&self, source: &Source, fillings: &Fillings) -> Result<Files, String> {
         let src = format!("{}/src", self.folder);
         let mut files = Files::new();

@@ -48,7 +48,8 @@ pub fn without_tests(text: &str, keeps: impl Fn(&str) -> bool) -> Result<Slice, 
 pub type Modules = BTreeMap<String, Part>;
 
 /// The items with these names in the file's order, what is implemented for them, imports from outside, and of
-/// `modules` their declarations and what is taken from them, as far as it is there.
+/// `modules` their declarations and what is taken from them, as far as it is there. `Err` where there is no
+/// item of a name.
 pub fn items(text: &str, names: &[String], modules: &Modules) -> Result<Slice, String> {
     let file = parse(text)?;
     let every = file.items.iter().filter_map(module).collect::<Vec<_>>();
@@ -86,7 +87,7 @@ pub fn items(text: &str, names: &[String], modules: &Modules) -> Result<Slice, S
     }
 }
 
-/// Everything but one module, and what is taken from it.
+/// Everything but one module, and what is taken from it. `Err` where there is no such module.
 pub fn without_module(text: &str, module: &str) -> Result<String, String> {
     let (mut result, mut from, mut found) = (String::new(), 0, false);
     for item in &parse(text)?.items {

@@ -27,7 +27,7 @@ impl Source {
         &self.root
     }
 
-    /// The text of a file.
+    /// The text of a file, by its path from the checkout's folder.
     pub fn read(&self, path: &str) -> Result<String, String> {
         let path = self.root.join(path);
         fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
@@ -51,7 +51,7 @@ impl Source {
         Ok(names)
     }
 
-    /// A chapter's folder: `chapters/04-ray-sphere` for `ray-sphere`.
+    /// A chapter's folder: `chapters/04-ray-sphere` for `ray-sphere`. `Err` where there is no such chapter.
     pub fn chapter(&self, name: &str) -> Result<String, String> {
         let of_this_name = |folder: &String| folder.get(3..) == Some(name);
         let folder = self.list("chapters", "")?.into_iter().find(of_this_name);

@@ -13,7 +13,8 @@ pub struct Wrong {
     pub expected: Option<Step>,
     /// What it is; `None` where the code did not get so far.
     pub got: Option<Value>,
-    /// How far off the first number is that is wrong, in units of the last digit of what is expected.
+    /// How far off the first number is that is wrong, in units of the last digit of what is expected; `None`
+    /// where no number is to blame.
     pub ulps: Option<f64>,
     /// How the code ended before the case did, if it did: the message of a panic.
     pub broken: Option<String>,

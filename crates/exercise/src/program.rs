@@ -26,7 +26,8 @@ thread_local! {
     static PLACE: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Runs a probe. A panic ends the answer, and is no error.
+/// Runs a probe. A panic ends the answer, and is no error; it prints nothing. What ends the program by other
+/// means, as a recursion without end does, ends this one.
 pub fn run(probe: impl Fn(&Case, &mut Steps), case: &Case) -> Answer {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
@@ -54,6 +55,9 @@ pub fn run(probe: impl Fn(&Case, &mut Steps), case: &Case) -> Answer {
 /// `cargo run`: shows what the code makes of its cases, up to the first value that is wrong, and says what to
 /// do next. With `--probe CASES ANSWERS` it writes answers to the cases of one file into another, for whoever
 /// judges.
+///
+/// Exit status: 0 done, whatever the values are; 1 where a file cannot be read or written, or is no sheet;
+/// 2 where other arguments are given.
 pub fn main(work: Work) -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
@@ -79,7 +83,7 @@ fn done(ended: io::Result<()>) -> ExitCode {
 /// `cargo test`: the rows of one property.
 ///
 /// # Panics
-/// Where a value is wrong, with what was expected. (A test fails by a panic.)
+/// Where a value is wrong, with what was expected, and where `work` has no sheet. (A test fails by a panic.)
 pub fn test(work: Work, property: &str) {
     let sheet = sheet(work).expect("the hand-out's own expected.txt is whole");
     for (number, row) in sheet.rows.iter().enumerate() {

@@ -28,9 +28,9 @@ pub struct Property {
 /// A case with what is expected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Which property it shows.
+    /// Which property it shows, by its place in [`Sheet::properties`].
     pub property: usize,
-    /// The case's numbers.
+    /// The case's numbers, one for each of [`Sheet::columns`].
     pub numbers: Vec<f64>,
     /// What is expected, with tolerances.
     pub steps: Steps,
@@ -54,7 +54,7 @@ pub struct Sheet {
 pub struct Broken {
     /// The panic's message.
     pub message: String,
-    /// File and line.
+    /// File and line; empty where the program ended without a panic.
     pub place: String,
 }
 
@@ -68,7 +68,7 @@ pub struct Answer {
 }
 
 impl Sheet {
-    /// A row as a case.
+    /// A row as a case, by its place in [`Sheet::rows`].
     pub fn case(&self, row: usize) -> Case<'_> {
         Case::new(&self.columns, &self.rows[row].numbers)
     }

@@ -11,7 +11,8 @@ pub struct Step {
     pub formula: String,
     /// What the code makes of it.
     pub value: Value,
-    /// How far off each number may be; empty where that is not known, as in a student's own steps.
+    /// How far off each number may be, as a difference; empty where that is not known, as in a student's own
+    /// steps.
     pub tolerance: Vec<f64>,
 }
 

@@ -81,8 +81,8 @@ pub(crate) fn one_line(text: &str) -> String {
     text.replace(|sign: char| sign.is_control(), " ")
 }
 
-/// How far `got` is from `expected`, in units of the last digit of `expected`; infinite where either is not
-/// finite.
+/// How far `got` is from `expected`, in units of the last digit of `expected`: 0 where they are equal, else
+/// infinite where either is not finite.
 pub fn ulps(expected: f64, got: f64) -> f64 {
     if expected == got {
         return 0.0;

@@ -42,8 +42,8 @@ pub struct Known {
 }
 
 impl Catalog {
-    /// Reads the exercises. `Err` where the checkout is gone, or its chapters are not what this was built
-    /// from.
+    /// Reads the exercises. [`Error::Failed`] where the checkout is gone, or its chapters are not what this
+    /// was built from.
     pub fn read() -> Result<Catalog, Error> {
         let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
         let source = Source::at(root.canonicalize().unwrap_or(root));
@@ -57,7 +57,8 @@ impl Catalog {
         Ok(Catalog { source, exercises })
     }
 
-    /// The exercise with a name, `ray-sphere/closest-approach`.
+    /// The exercise with a name, `ray-sphere/closest-approach`. [`Error::Request`] where there is none, with
+    /// the names that there are.
     pub fn find(&self, name: &str) -> Result<&Exercise, Error> {
         self.exercises.iter().find(|it| it.manifest.name == name).ok_or_else(|| {
             let chapter = name.split('/').next().unwrap_or_default();
@@ -94,7 +95,7 @@ fn built(manifest: Manifest) -> Option<Exercise> {
 }
 
 impl Exercise {
-    /// All its cases, with what is expected of each.
+    /// All its cases, with what is expected of each: worked out anew each time.
     pub fn sheet(&self) -> Sheet {
         sheet(&self.manifest, self.reference, usize::MAX)
     }

@@ -18,12 +18,17 @@ use crate::{Catalog, Exercise, folder, placed};
 pub struct CheckAsk {
     /// An object for other programs instead of a text.
     pub json: bool,
-    /// Whether a method that is right is measured beside the chapter's.
+    /// Whether a method that is right is measured beside the chapter's; only for an exercise that has one.
     pub trade: bool,
 }
 
 /// Builds and runs the attempt in a folder, and says what the first wrong value is. `Ok(true)` where all is
-/// right.
+/// right. What is built is kept in the folder's `target`; with [`CheckAsk::trade`] the drawing goes to its
+/// `trade.svg`. There is no sandbox: the attempt can do all that we can.
+///
+/// [`Error::Request`] where the folder is no hand-out, has files that are not taken, or is measured for an
+/// exercise that has no method; [`Error::Failed`] where [`Catalog::read`] fails, where cargo cannot be run,
+/// or a file not be read or written; [`Error::PipeClosed`] where nobody reads the output.
 pub fn check(attempt: &Path, ask: CheckAsk, output: &mut dyn Write) -> Result<bool, Error> {
     let catalog = Catalog::read()?;
     let exercise = catalog.find(&folder::exercise_of(attempt)?)?;

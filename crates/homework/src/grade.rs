@@ -49,7 +49,11 @@ pub enum GradeFormat {
 /// Grades submissions and writes the grades, in the order in which they were named, when all are there.
 ///
 /// A folder that is no submission, one that does not compile, and one that had to be stopped have their grade
-/// as well. [`Error::Failed`] where there is no sandbox, or a hand-out cannot be built.
+/// as well.
+///
+/// [`Error::Request`] where a folder is not there, where none is a submission but each holds some, where
+/// there is no such exercise, or where Gradescope's format is asked for more than one. [`Error::Failed`]
+/// where there is no sandbox, a hand-out cannot be built, or the grades not be written.
 pub fn grade(ask: &GradeAsk, output: &mut dyn Write) -> Result<(), Error> {
     if ask.format == GradeFormat::Gradescope && ask.folders.len() != 1 {
         let why =

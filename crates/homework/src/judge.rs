@@ -7,9 +7,9 @@ use crate::{Exercise, Known, sheet};
 /// What an attempt is worth.
 #[derive(Clone, Debug)]
 pub struct Verdict<'a> {
-    /// For each property, whether all its cases are right.
+    /// For each property of the sheet, in its order, whether all its cases are right.
     pub right: Vec<bool>,
-    /// The first value that is wrong.
+    /// The first value that is wrong; `None` where all are right.
     pub wrong: Option<Wrong>,
     /// The mistake that it makes, if it is a known one.
     pub mistake: Option<&'a Known>,
@@ -17,7 +17,8 @@ pub struct Verdict<'a> {
     pub earned: u32,
 }
 
-/// Judges the answers to all cases of an exercise, in the order of [`Exercise::sheet`].
+/// Judges the answers to all cases of an exercise: `sheet` is [`Exercise::sheet`], and the answers are in the
+/// order of its rows. A row without an answer is wrong.
 pub fn judge<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> Verdict<'a> {
     let mut right = vec![true; sheet.properties.len()];
     for (row, asked) in sheet.rows.iter().enumerate() {

@@ -5,9 +5,10 @@
 //! this crate, made when it is built. An attempt is judged by what it makes of the cases ([`judge`]): never
 //! by its text.
 //!
-//! [`check`](check()) builds and runs an attempt where it is, on its author's machine. [`grade`](grade())
-//! trusts nobody: each submission is built and run in a sandbox, upon a hand-out that was built once, and
-//! only its own files of `src` count.
+//! [`list`](list()) says what exercises there are, [`start`](start()) hands one out. [`check`](check())
+//! builds and runs an attempt where it is, on its author's machine. [`grade`](grade()) trusts nobody: each
+//! submission is built and run in a sandbox, upon a hand-out that was built once, and only its own files of
+//! `src` count. All of them read the [`Catalog`], which is that of the checkout that this was built from.
 
 mod attempt;
 mod bench;

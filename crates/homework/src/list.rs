@@ -19,7 +19,10 @@ pub enum ListFormat {
     Instructor,
 }
 
-/// Lists every exercise.
+/// Lists every exercise, in the order of the book.
+///
+/// [`Error::Failed`] as [`Catalog::read`] says, and where the output cannot be written; [`Error::PipeClosed`]
+/// where nobody reads it.
 pub fn list(format: ListFormat, output: &mut dyn Write) -> Result<(), Error> {
     let catalog = Catalog::read()?;
     let said = match format {

@@ -12,7 +12,10 @@ use stage::{Error, Scratch};
 use crate::{Catalog, Exercise, folder};
 
 /// Writes a hand-out to a new folder, or into an empty one: whole or, where it fails or is interrupted, not
-/// at all.
+/// at all. Then says on `output` where it is and what to do next.
+///
+/// [`Error::Request`] where there is no exercise of that name; [`Error::Failed`] where [`Catalog::read`]
+/// fails, where something is in the folder already, or a file cannot be written.
 pub fn start(name: &str, into: &Path, output: &mut dyn Write) -> Result<(), Error> {
     let catalog = Catalog::read()?;
     let exercise = catalog.find(name)?;
@@ -52,7 +55,8 @@ fn put(files: &Files, into: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The files of a hand-out.
+/// The files of a hand-out, by their paths in its folder. [`Error::Failed`] where it cannot be cut from the
+/// checkout.
 pub fn hand_out(catalog: &Catalog, exercise: &Exercise) -> Result<Files, Error> {
     let shown = exercise.shown();
     let files = cutter::hand_out(&exercise.manifest, &catalog.source, shown.to_text(), &transcript(&shown));

@@ -35,7 +35,7 @@ pub enum Judgment {
     Right,
     /// The verdict is right and a hit: the error of t.
     Off {
-        /// In ulps.
+        /// In ulps of the precision.
         ulps: u64,
         /// Relative, at most 1.
         relative: f64,
@@ -44,7 +44,8 @@ pub enum Judgment {
     Wrong,
 }
 
-/// Compares an answer with the truth, for numbers of a precision.
+/// Compares an answer with the truth, for numbers of a precision. A hit at a t below zero, or at NaN, is
+/// wrong.
 pub fn judge(answer: &Answer, truth: &Truth, precision: Precision) -> Judgment {
     match (answer, truth) {
         (Answer::Invalid, Truth::Invalid(_)) | (Answer::Miss, Truth::Miss(_)) => Judgment::Right,
@@ -55,8 +56,8 @@ pub fn judge(answer: &Answer, truth: &Truth, precision: Precision) -> Judgment {
     }
 }
 
-/// How many values of the precision lie from one number to another: 0 for the same, 1 for neighbors.
-/// Infinity is the neighbor of the largest number.
+/// How many values of the precision lie from one number to another, both rounded to it and neither NaN: 0 for
+/// the same, 1 for neighbors. Infinity is the neighbor of the largest number.
 pub fn ulps(a: f64, b: f64, precision: Precision) -> u64 {
     let place = |x: f64| match precision {
         Precision::F32 => ordered((x as f32).to_bits().into(), 1 << 31),
@@ -110,7 +111,7 @@ impl Accuracy {
         judgment
     }
 
-    /// Counts the quality of a hit.
+    /// Counts the quality of a hit; `None` counts nothing.
     pub fn count_quality(&mut self, quality: Option<Quality>) {
         let Some(Quality { residual, normal_angle }) = quality else { return };
         self.residual = self.residual.max(residual);
@@ -174,8 +175,8 @@ impl Ulps {
         self.max = self.max.max(other.max);
     }
 
-    /// The error that a share of all does not exceed, 0.5 for the median; above 256 it is given up to 0.8 %
-    /// too high. `None` where there is none.
+    /// The error that a share of all, from 0 to 1, does not exceed: 0.5 for the median. Above 256 it is given
+    /// up to 0.8 % too high. `None` where there is none.
     pub fn quantile(&self, share: f64) -> Option<u64> {
         let wanted = ((share * self.total as f64).ceil() as u64).max(1);
         let mut seen = 0;

@@ -121,7 +121,7 @@ impl Draw {
         }
     }
 
-    /// A direction at right angles to one of length 1, none likelier than another.
+    /// A direction of length 1 at right angles to another of length 1, none likelier than the next.
     pub fn perpendicular(&mut self, direction: Vec3) -> Vec3 {
         loop {
             let v = self.direction();
@@ -152,7 +152,7 @@ impl Draw {
         (columns, a * a + b * b + c * c + d * d)
     }
 
-    /// A whole number from `low` to `high`, both included.
+    /// A whole number from `low` to `high`, both included; `high` is not below `low`.
     pub fn whole(&mut self, low: i32, high: i32) -> f64 {
         f64::from(low) + self.below((high - low) as u64 + 1) as f64
     }

@@ -2,10 +2,14 @@
 //!
 //! A chapter hands over its methods, its kinds of case and what is true of a case: a [`Subject`]. The lab draws
 //! the cases of each [`Regime`] from a seed, judges every method at every precision against the exact
-//! [`Truth`], and times them side by side. It knows no chapter and none of their methods.
+//! [`Truth`], and times them side by side: [`measure()`]. It knows no chapter and none of their methods.
 //!
 //! Truth comes from [`oracle`], which derives the concepts once more, from their equations and in integers: hit
 //! or miss is a sign. No method is ever judged by another.
+//!
+//! What was found is printed as a [`table`] and drawn as a [`plot`]: speed against accuracy, or where in a
+//! plane of two quantities a method fails ([`cells`]). [`scenes`] is what the chapters share that measure in
+//! scenes instead of regimes. In a chapter's own tests [`first_beyond`] holds a method to what it promises.
 //!
 //! A sphere of radius 5 around (0, 0, 13), touched by a ray up from (5, 0, 0), and missed by the next number's:
 //!

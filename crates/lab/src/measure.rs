@@ -66,7 +66,8 @@ pub struct WorstCase {
     pub truth: Truth,
 }
 
-/// Measures a subject.
+/// Measures a subject: judges on all threads, and times on this one. That takes up to a minute, or seconds
+/// with [`TradeAsk::quick`]; how far it is, a bar on a terminal shows.
 ///
 /// [`Error::Request`] where a regime is asked for that the subject does not have.
 pub fn measure<const N: usize>(subject: &impl Subject<N>, ask: &TradeAsk) -> Result<Measured, Error> {

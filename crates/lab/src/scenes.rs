@@ -8,14 +8,15 @@ use stage::{Field, Precision, Record};
 use crate::table::three_digits;
 use crate::{Draw, Nanoseconds};
 
-/// Pixels of the picture, none likelier than another.
+/// Pixels of the picture, column and row, none likelier than another; one may come twice. `name` and `seed`
+/// decide which, and neither number of `size` may be 0.
 pub fn pixels(name: &str, seed: u64, size: (u32, u32), count: usize) -> Vec<(u32, u32)> {
     let mut draw = Draw::new(seed, name, Precision::F64);
     let mut below = |bound: u32| draw.below(u64::from(bound)) as u32;
     (0..count).map(|_| (below(size.0), below(size.1))).collect()
 }
 
-/// What a scene of a file is called, and what is said of it.
+/// What a scene of a file is called, the file's name without its ending; and what is said of it, its path.
 pub fn file_named(path: &Path) -> (String, String) {
     (path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), path.display().to_string())
 }
@@ -48,7 +49,7 @@ pub fn cells(method: &str, precision: Precision, ns: &Nanoseconds) -> Vec<String
     vec![method.to_string(), precision.name().to_string(), three_digits(ns.median), quartiles]
 }
 
-/// The same in a sentence.
+/// Who and how long, in nanoseconds, as a part of a sentence.
 pub fn took(method: &str, precision: Precision, ns: &Nanoseconds) -> String {
     format!("{method} {}, {} ns", precision.name(), three_digits(ns.median))
 }

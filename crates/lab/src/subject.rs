@@ -20,7 +20,7 @@ pub trait Subject<const N: usize>: Sync {
     /// What is true of a case; it comes from the oracle.
     fn truth(&self, case: [f64; N], precision: Precision) -> Truth;
 
-    /// What a method answers to a case.
+    /// What a method answers to a case, by its place among the methods.
     fn answer<R: Real>(&self, method: usize, case: [R; N]) -> Answer;
 
     /// What putting a method's hit back into the question shows, where the truth is a hit too. `None` where

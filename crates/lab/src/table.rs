@@ -1,7 +1,8 @@
 //! Tables as `trade` prints them.
 
-/// Lines of cells, the heads first, in columns as wide as the widest: the first two are names and stand to
-/// the left, numbers to the right. A line whose place after the heads is starred gets a ★.
+/// Lines of cells, as many in each, the heads first, in columns as wide as the widest: the first two are
+/// names and stand to the left, numbers to the right. `starred` says of each line after the heads whether it
+/// gets a ★; a line that it says nothing of is left out.
 pub fn aligned(lines: &[Vec<String>], starred: &[bool]) -> String {
     let columns = lines.first().map_or(0, Vec::len);
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
@@ -28,7 +29,7 @@ pub fn under(heads: &[&str], lines: impl Iterator<Item = (Vec<String>, bool)>) -
     aligned(&lines, &starred)
 }
 
-/// Three digits: 4.71, 47.1, 471, 4710.
+/// Three digits of a number that is not negative: 4.71, 47.1, 471, 4710. – for what is not finite.
 pub fn three_digits(x: f64) -> String {
     match x {
         _ if !x.is_finite() => "–".to_string(),
@@ -43,7 +44,7 @@ pub fn short(count: f64) -> String {
     if count < 1e6 { format!("{count:.0}") } else { small(count) }
 }
 
-/// A number of any size to two digits, zero as 0.
+/// A number of any size to two digits, zero as 0, infinity as ∞.
 pub fn small(x: f64) -> String {
     match x {
         0.0 => "0".to_string(),

@@ -15,7 +15,7 @@ use crate::{Quadratic, Real, Sure, TwoPart};
 pub struct Bounded<T> {
     /// The number.
     pub value: T,
-    /// Not below zero.
+    /// By how much the number may be off: not below zero; infinite or NaN where nothing is known of it.
     pub error: f64,
 }
 

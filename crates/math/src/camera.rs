@@ -69,8 +69,9 @@ impl<R: Real> Camera<R> {
     /// units of the scene) from the view plane.
     ///
     /// `forward` and `up` may have any length but zero, and any angle but 0° and 180°:
-    /// [`Degenerate::ZeroDirection`] where `forward` is zero or `up` runs along it,
-    /// [`Degenerate::NotFinite`] where a number of any argument is infinite or NaN.
+    /// [`Degenerate::ZeroDirection`] where one of them is zero or `up`, at unit length, is `forward` or its
+    /// opposite, [`Degenerate::NotFinite`] where a number of any argument is infinite or NaN. (An `up` that
+    /// runs along `forward` but for roundings may pass, and then u and v mean nothing.)
     pub fn looking(
         e: R::Vec3,
         forward: R::Vec3,
@@ -108,8 +109,8 @@ impl<R: Real> Camera<R> {
         self.e + self.u * x + self.v * y + self.w * self.f
     }
 
-    /// The ray from the eye through the point (x, y) of the view plane: t = 0 at the eye, t = 1 on
-    /// the plane. Its direction x u + y v + f w is not normalized.
+    /// The ray, in world coordinates, from the eye through the point (x, y) of the view plane: t = 0 at the
+    /// eye, t = 1 on the plane. Its direction x u + y v + f w is not normalized.
     pub fn ray(&self, (x, y): (R, R)) -> Ray3<R> {
         Ray3::new(self.e, self.u * x + self.v * y + self.w * self.f)
     }

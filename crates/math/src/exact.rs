@@ -29,7 +29,7 @@ impl Exact {
         Exact::normal(x < 0.0, vec![integer], exponent)
     }
 
-    /// a · b for vectors, exactly: the sum of the products of their components.
+    /// a · b for vectors of as many components, exactly: the sum of the products of these.
     pub fn dot(a: &[Exact], b: &[Exact]) -> Exact {
         a.iter().zip(b).fold(Exact::new(0.0), |sum, (a, b)| sum + a.clone() * b.clone())
     }

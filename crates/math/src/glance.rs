@@ -21,7 +21,7 @@ pub enum Glance {
     Unsure,
 }
 
-/// λ, and how far it may be off.
+/// λ, in lengths of the ray's direction, and how far it may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Around {
     /// As computed.
@@ -35,7 +35,7 @@ pub struct Around {
 pub enum First {
     /// There is none.
     None,
-    /// Between these two.
+    /// λ is between these two.
     Between(f64, f64),
     /// It may be in the span or not.
     Unsure,
@@ -47,7 +47,7 @@ pub enum First {
 pub const ULPS: f64 = 16.0;
 
 impl Around {
-    /// The range in which λ is, as a method rounds it to R.
+    /// The range in which λ is, from its low end to its high one, as a method rounds it to R.
     #[inline(always)]
     pub fn range<R: Real>(self) -> (f64, f64) {
         let digit = 2.0 / (1u64 << R::DIGITS) as f64;

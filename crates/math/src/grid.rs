@@ -30,7 +30,8 @@ impl Grid {
         }
     }
 
-    /// The camera coordinates (x right, y up) of pixel (`col`, `row`) of a picture of `size` pixels laid over `window`.
+    /// The camera coordinates (x right, y up) of `pixel`, a column and a row, of a picture laid over
+    /// `window`. `size` is its columns and rows, neither of them 0.
     ///
     /// Pixels outside the picture continue the grid. [`NoGrid`] for `Edges` with one column or row.
     pub fn point<R: Real>(
@@ -42,9 +43,9 @@ impl Grid {
         self.point_within(window, size, pixel, (R::from(0.5), R::from(0.5)))
     }
 
-    /// The same for one of several samples of a pixel: `within` is how far across the pixel and down it the sample lies,
-    /// from 0 to 1. At (½, ½) it is the pixel's own point, to the last bit; that of `lattice` and `edges` is a corner, and the
-    /// samples lie about it.
+    /// The same for one of several samples of a pixel: `within` is how far across the pixel and down it the
+    /// sample lies, from 0 to 1. At (½, ½) it is the pixel's own point, to the last bit; that of `lattice`
+    /// and `edges` is a corner, and the samples lie about it.
     pub fn point_within<R: Real>(
         self,
         window: &Window<R>,
@@ -63,7 +64,8 @@ impl Grid {
     }
 }
 
-/// House's grid: p_x = left + (j + 0.5) w/N, and the row likewise from the top.
+/// House's grid: p_x = left + (j + 0.5) w/N, and the row likewise from the top. What it takes and returns is
+/// as for [`Grid::point`].
 pub fn centers<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32)) -> (R, R) {
     let ([col, row], half): ([R; 2], R) = (numbers(pixel), R::from(0.5));
     centers_at(window, size, (col + half, row + half))
@@ -78,7 +80,8 @@ fn centers_at<R: Real>(window: &Window<R>, size: (u32, u32), (col, row): (R, R))
 }
 
 /// Gambetta's grid: V_x = C_x V_w/C_w with canvas coordinates C_x = col − C_w/2, C_y = C_h/2 − row,
-/// about the center of the window. The halves are real quotients.
+/// about the center of the window. The halves are real quotients. What it takes and returns is as for
+/// [`Grid::point`].
 pub fn lattice<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32)) -> (R, R) {
     let [col, row] = numbers(pixel);
     lattice_at(window, size, (col, row))
@@ -96,6 +99,7 @@ fn lattice_at<R: Real>(window: &Window<R>, size: (u32, u32), (col, row): (R, R))
 }
 
 /// CSC418's grid: w_l + i Δu with Δu = (w_r − w_l)/(n_c − 1), w_t + j Δv with Δv = (w_b − w_t)/(n_r − 1).
+/// What it takes and returns is as for [`Grid::point`]: [`NoGrid`] with one column or row.
 pub fn edges<R: Real>(window: &Window<R>, size: (u32, u32), pixel: (u32, u32)) -> Result<(R, R), NoGrid> {
     let [col, row] = numbers(pixel);
     edges_at(window, size, (col, row))

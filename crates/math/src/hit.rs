@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// A point where a ray meets a surface.
+/// A point where a ray meets a surface, in the coordinates of the ray. V is a vector of the plane or of
+/// space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<R, V> {
     /// The parameter of the ray, in lengths of its direction as given; never negative for a span ahead.

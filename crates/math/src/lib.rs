@@ -1,13 +1,15 @@
 //! The tiny math core: what a ray is, how far along it one looks, where a pixel lies.
 //!
 //! Start with [`Ray2`], [`Ray3`] and its equation x(t) = p_r + t u_r, then [`Span`], the range of t that every
-//! intersector takes, and [`Hit`], what it returns. [`Camera`] and [`Grid`] say which ray belongs to
-//! a pixel. Everything is generic over [`Real`], which is `f32` or `f64`: one readable formula
-//! serves both precisions, and a chapter can show what the smaller one loses.
+//! intersector takes, and [`Hit`], what it returns: `None` for a miss, [`Degenerate`] for a question
+//! without an answer. [`Camera`] and [`Grid`] say which ray belongs to a pixel. Everything is generic over
+//! [`Real`], which is `f32` or `f64`: one readable formula serves both precisions, and a chapter can show
+//! what the smaller one loses. [`portable`] has the functions whose last bit would differ between machines.
 //!
 //! [`two_part`], [`wide`] and [`exact`] are for the methods named `robust`: numbers with twice the
 //! digits, numbers that cannot overflow, and numbers that are not rounded at all. [`Sure`] is what they have in
-//! common: a formula written once, worked out in plain `f64`, with twice the digits, or exactly.
+//! common: a formula written once, worked out in plain `f64`, with twice the digits, or exactly. [`glance`]
+//! is what can be said before any of that, and [`plain`] the vectors that it is said with.
 //!
 //! There is no input or output here, and nothing that teaches ray tracing.
 //!

@@ -16,12 +16,12 @@ pub fn acos(x: f64) -> f64 {
     libm::acos(x)
 }
 
-/// e to the power `x`.
+/// e to the power `x`: infinite where it is too large for a number, 0 where it is too small.
 pub fn exp(x: f64) -> f64 {
     libm::exp(x)
 }
 
-/// The natural logarithm of `x`; NaN below zero.
+/// The natural logarithm of `x`; −∞ at zero, NaN below.
 pub fn ln(x: f64) -> f64 {
     libm::log(x)
 }
@@ -37,17 +37,17 @@ pub fn cbrt(x: f64) -> f64 {
     libm::cbrt(x)
 }
 
-/// The sine of `x` radians.
+/// The sine of `x` radians; NaN where `x` is infinite.
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)
 }
 
-/// The cosine of `x` radians.
+/// The cosine of `x` radians; NaN where `x` is infinite.
 pub fn cos(x: f64) -> f64 {
     libm::cos(x)
 }
 
-/// The tangent of `x` radians.
+/// The tangent of `x` radians; NaN where `x` is infinite.
 pub fn tan(x: f64) -> f64 {
     libm::tan(x)
 }

@@ -34,7 +34,7 @@ pub trait Real:
     const INFINITY: Self;
     /// The smallest number above zero (a subnormal one).
     const SMALLEST: Self;
-    /// The squares of lengths that are 1 up to two units of the last digit.
+    /// The least and the largest square of a length that is 1 up to two units of the last digit.
     const ONE_FOR_SURE: (Self, Self);
     /// A sum of squares from here on has lost none of its digits to squares that vanish.
     const SAFE_SQUARE: Self;
@@ -61,7 +61,8 @@ pub trait Real:
         if t < 0.0 && nearest == Self::from(0.0) { -Self::SMALLEST } else { nearest }
     }
     /// The decimal number nearest to `text`, read straight into this precision (so rounded once).
-    /// `nan`, `inf` and overflowing numbers are numbers; what is not a number is `None`.
+    /// `nan`, `inf` and overflowing numbers are numbers; what is not a number, or has white space around it,
+    /// is `None`.
     fn parse(text: &str) -> Option<Self>;
 }
 
@@ -109,8 +110,8 @@ pub trait Vector<R>:
         scaled / scaled.length()
     }
 
-    /// a / ‖a‖, like [`Vector::normalized`], without its detour where no square overflows or vanishes. What is a unit vector
-    /// already, up to two units of the last digit, stays as it is.
+    /// a / ‖a‖, like [`Vector::normalized`], without its detour where no square overflows or vanishes. What
+    /// is a unit vector already, up to two units of the last digit, stays as it is.
     #[inline(always)]
     fn unit(self) -> Self
     where

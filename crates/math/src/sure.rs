@@ -30,7 +30,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::{Exact, Real, Wide};
 
-/// A number with a sign that is never wrong.
+/// A number with a sign that is never wrong. It comes from finite numbers: what is infinite or NaN is to be
+/// refused before.
 pub trait Sure:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

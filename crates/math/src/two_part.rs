@@ -146,6 +146,7 @@ impl Mul<f64> for TwoPart {
 
 impl Div for TwoPart {
     type Output = TwoPart;
+    /// The divisor must not be zero.
     fn div(self, other: TwoPart) -> TwoPart {
         // Long division with two digits, each a f64.
         let first = self.hi / other.hi;

@@ -47,7 +47,7 @@ impl Wide {
         Wide::from(x.into())
     }
 
-    /// The components of a vector.
+    /// The components of a vector, which must be finite. N is their number.
     pub fn vector<R: Real, const N: usize>(v: impl Vector<R>) -> [Wide; N] {
         std::array::from_fn(|axis| Wide::of(v.components()[axis]))
     }
@@ -91,8 +91,9 @@ fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// x · 2^exponent for any exponent: infinite above the largest number. Exact, but for a result that is
-/// subnormal: that is rounded, once if |x| is at least 2^−22.
+/// x · 2^exponent, infinite above the largest number: for any exponent where 1 ≤ |x| < 2 or x is zero, for
+/// other numbers from −2022 to 2023. Exact, but for a result that is subnormal: that is rounded, once if |x|
+/// is at least 2^−22.
 pub fn scaled(x: f64, exponent: i32) -> f64 {
     match exponent {
         1023.. => x * power_of_two(1000) * power_of_two((exponent - 1000).min(1023)),

@@ -7,15 +7,15 @@ use crate::{At, Place};
 pub struct Camera {
     /// Where the file describes it.
     pub place: Place,
-    /// ē
+    /// ē, in the world.
     pub eye: At<[f64; 3]>,
     /// Where it looks.
     pub view: At<View>,
-    /// What points up in the picture.
+    /// What points up in the picture, of any length but 0.
     pub up: At<[f64; 3]>,
     /// Which way is right.
     pub handedness: Handedness,
-    /// From the eye to the view plane, above 0.
+    /// From the eye to the view plane, above 0, in units of the scene.
     pub distance: At<f64>,
     /// How much of the view plane is seen.
     pub extent: At<Extent>,
@@ -28,9 +28,9 @@ pub struct Camera {
 /// Where a camera looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum View {
-    /// At a point.
+    /// At a point of the world.
     At([f64; 3]),
-    /// Along a direction of any length.
+    /// Along a direction of any length but 0.
     Forward([f64; 3]),
 }
 
@@ -39,7 +39,7 @@ pub enum View {
 pub enum Extent {
     /// Height 1 about the axis, the width by the picture's aspect.
     Height1,
-    /// Left < right, bottom < top.
+    /// Left, right, bottom and top on the view plane, in units of the scene: left < right, bottom < top.
     Window([f64; 4]),
     /// NFF's `angle`: the full vertical angle in degrees, above 0 and below 180; the width by the picture's aspect.
     Angle(f64),

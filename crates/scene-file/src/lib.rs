@@ -1,8 +1,10 @@
 //! Scenes read from files: plain data, and for every value the place where it stands.
 //!
-//! A scene file says what there is: a camera, lights, materials, objects. It knows no mathematics: a chapter takes
-//! from a [`Scene`] what its own model needs, and where a value means nothing to it (a matrix without an inverse, a
-//! camera that looks nowhere) it says so with [`Scene::fault`], which points at the line.
+//! A scene file says what there is: a camera, lights, materials, objects. [`Scene::read`] takes it in TOML or
+//! in Haines's NFF, with the meshes (OBJ) and the pictures (PNG) that it names. It knows no mathematics: a
+//! chapter takes from a [`Scene`] what its own model needs, and where a value means nothing to it (a matrix
+//! without an inverse, a camera that looks nowhere) it says so with [`Scene::fault`], which points at the
+//! line.
 //!
 //! ```
 //! # use std::path::Path;
@@ -59,7 +61,7 @@ pub struct Scene {
 /// A point light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// Where it is.
+    /// Where it is, in the world.
     pub position: At<[f64; 3]>,
     /// I_d and I_s, linear RGB, from 0 up.
     pub intensity: [f64; 3],
@@ -104,7 +106,8 @@ pub enum Texture {
     Image {
         /// Columns and rows.
         size: (u32, u32),
-        /// Red, green and blue, row by row from the top.
+        /// Red, green and blue as the file has them, from 0 to 255, row by row from the top; what they mean,
+        /// linear or not, is for whoever uses them.
         pixels: std::sync::Arc<[[u8; 3]]>,
         /// How much of (u, v) it covers, above 0.
         scale: f64,

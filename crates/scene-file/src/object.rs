@@ -20,7 +20,8 @@ pub struct Object {
     pub material: usize,
 }
 
-/// A shape, as the file gives it.
+/// A shape, as the file gives it: whether its corners lie in one plane and span an area is for whoever takes
+/// it to say.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// All points at a distance from a center.
@@ -92,17 +93,17 @@ pub struct Mesh {
 /// One step of a transform, applied to the shape in the order written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Transform {
-    /// Along the three axes.
+    /// Along the three axes, each factor anything but 0.
     Scale([f64; 3]),
     /// About an axis through the origin, by the right-hand rule.
     Rotate {
         /// Of any length but 0.
         axis: [f64; 3],
-        /// How far.
+        /// How far; below 0 the other way.
         degrees: f64,
     },
     /// By a vector.
     Translate([f64; 3]),
-    /// ȳ = A x̄, row by row.
+    /// ȳ = A x̄, row by row; it may have no inverse.
     Matrix([[f64; 3]; 3]),
 }

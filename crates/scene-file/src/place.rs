@@ -11,7 +11,7 @@ pub struct At<T> {
     pub place: Place,
 }
 
-/// A stretch of the bytes of a scene file.
+/// A stretch of the bytes of a scene's text, counted from 0. (The text begins after a byte order mark.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The first byte.

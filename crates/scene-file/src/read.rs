@@ -79,8 +79,8 @@ impl Scene {
         &self.source.text
     }
 
-    /// An error for a value that cannot be used: what is wrong with it, in half a sentence, and what to write
-    /// instead.
+    /// An error, with exit status 2, for a value that cannot be used: what is wrong with it, in half a
+    /// sentence, and what to write instead. `place` is one of this scene.
     pub fn fault(&self, place: Place, problem: &str, remedy: &str) -> Error {
         self.source.spot(place).fault(problem, remedy)
     }

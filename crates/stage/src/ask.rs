@@ -42,7 +42,8 @@ pub trait Chapter: Sync {
 
     /// Measures the methods and precisions against each other.
     ///
-    /// [`Error::Request`] where a regime is asked for that there is not.
+    /// [`Error::Request`] where a regime is asked for that there is not, or the scene file is none;
+    /// [`Error::Failed`] where the memory or a thread for it cannot be had.
     fn trade(&self, ask: &TradeAsk) -> Result<Traded, Error>;
 }
 

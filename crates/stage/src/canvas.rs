@@ -63,8 +63,8 @@ pub enum Anchor {
 type Point = (f32, f32);
 
 impl Canvas {
-    /// A picture of `size` = (columns, rows) in one color. [`Error::Failed`] where the memory for it
-    /// cannot be had.
+    /// A picture of `size` = (columns, rows), neither 0, in one color. [`Error::Failed`] where the memory for
+    /// it cannot be had.
     pub fn new(size: (u32, u32), background: Color) -> Result<Canvas, Error> {
         let mut data = reserved(4, size)?;
         data.resize(data.capacity(), 0);
@@ -106,8 +106,8 @@ impl Canvas {
         });
     }
 
-    /// From here on, drawing is done in a frame of `width` by `height` units, as large as fits and in
-    /// the middle.
+    /// From here on, drawing is done in a frame of `width` by `height` units, both above 0, as large as fits
+    /// and in the middle. Until then a unit is a pixel.
     pub fn fit(&mut self, width: f32, height: f32) {
         let (columns, rows) = (f64::from(self.pixels.width()), f64::from(self.pixels.height()));
         let (width, height) = (f64::from(width), f64::from(height));
@@ -149,7 +149,7 @@ impl Canvas {
         }
     }
 
-    /// The area within points.
+    /// The area within points, filled.
     pub fn area(&mut self, points: &[Point], color: Color) {
         if let Some(path) = path(points, true) {
             self.fill(&path, color, 1.0);
@@ -185,7 +185,7 @@ impl Canvas {
         }
     }
 
-    /// An arrow: a line with a filled head at its end.
+    /// An arrow: a line with a filled head at its end; nothing where it has no length.
     pub fn arrow(&mut self, from: Point, to: Point, pen: Pen) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length = (dx * dx + dy * dy).sqrt();
@@ -217,7 +217,7 @@ impl Canvas {
         f64::from(size) * self.fit.scale >= Self::SMALLEST_LETTERS
     }
 
-    /// A line of text; left out where the picture is too small to read it.
+    /// A line of text, its letters `size` units large; left out where the picture is too small to read it.
     pub fn label(&mut self, (x, y): Point, anchor: Anchor, size: f32, color: Color, text: &str) {
         if !self.is_readable(size) {
             return;
@@ -266,7 +266,7 @@ impl Canvas {
     }
 }
 
-/// An empty vector with room for `bytes` bytes a pixel.
+/// The color as tiny-skia has it.
 fn skia(Color([r, g, b]): Color) -> tiny_skia::Color {
     tiny_skia::Color::from_rgba8(r, g, b, 255)
 }

@@ -90,7 +90,7 @@ impl Row {
         Row::empty().word("hit", "1")
     }
 
-    /// A row that says `hit` = 0, and why, where there is a reason worth naming.
+    /// A row that says `hit` = 0, and why; `reason` is empty where there is none worth naming.
     pub fn miss(reason: &'static str) -> Row {
         Row::empty().word("hit", "0").word("reason", reason)
     }
@@ -112,7 +112,7 @@ impl Row {
         self
     }
 
-    /// Sets columns to the components of a vector.
+    /// Sets columns to the components of a vector, which has N of them.
     pub fn vector<R: Real, const N: usize>(mut self, columns: [&'static str; N], v: impl Vector<R>) -> Row {
         for (column, &component) in columns.into_iter().zip(v.components()) {
             self.0.push((column, digits(component)));

@@ -76,7 +76,7 @@ pub fn first_steps<R: Real>(explain: impl FnOnce(&mut Transcript)) -> Section {
     transcript.sections.into_iter().next().unwrap_or_else(|| Section::new("", ""))
 }
 
-/// A hit in words: t and the point, or why there is none.
+/// A hit in words: t and the point, or why there is none. `why` is the reason for a miss; it may be empty.
 pub fn hit_in_words<R: Real, V: Vector<R>>(hit: Result<Option<Hit<R, V>>, Degenerate>, why: &str) -> String {
     match hit {
         Ok(Some(hit)) => format!("t = {} at {}", number(hit.t), Value::vector(hit.point).to_text()),

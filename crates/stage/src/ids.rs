@@ -20,7 +20,8 @@ pub struct Ids {
 }
 
 impl Ids {
-    /// What the pixels see, row by row from the top: nothing, or an object, which may have an id.
+    /// What the pixels see, row by row from the top, one for each: nothing, or an object, which may have an
+    /// id.
     pub fn new(size: (u32, u32), seen: impl Iterator<Item = Option<Option<u16>>>) -> Ids {
         let mut nameless = 0;
         let ids = seen.map(|object| {
@@ -31,7 +32,7 @@ impl Ids {
         Ids { size, ids, nameless }
     }
 
-    /// Writes a PNG of 16-bit grays, each pixel the id.
+    /// Writes a PNG of 16-bit grays, each pixel the id. Panics where there are not as many ids as pixels.
     ///
     /// [`Error::Failed`] where the file cannot be written; then it is what it was before.
     pub fn write(&self, path: &Path) -> Result<(), Error> {

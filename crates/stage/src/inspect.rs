@@ -56,10 +56,11 @@ type Size = (u32, u32);
 type Pixel = (u32, u32);
 
 impl Ask {
-    /// The size of the picture to inspect and the pixel to begin with: as asked; else those of the same view with a
-    /// k-th of the columns and rows of `own`, with the smallest k that leaves at most 32768 pixels. Its pixels are k times
-    /// as wide: the ray of one is near those of the k × k that it stands for, and need be none of theirs. `worked` is the pixel that is explained when none is asked for, by the
-    /// picture's size.
+    /// The size of the picture to inspect and the pixel to begin with: as asked; else those of the same view
+    /// with a k-th of the columns and rows of `own`, with the smallest k that leaves at most 32768 pixels.
+    /// Its pixels are k times as wide: the ray of one is near those of the k × k that it stands for, and need
+    /// be none of theirs. `worked` is the pixel that is explained when none is asked for, by the picture's
+    /// size.
     ///
     /// [`Error::Request`] where the pixel that is asked for lies outside the picture.
     pub fn to_inspect(&self, own: Size, worked: impl Fn(Size) -> Pixel) -> Result<(Size, Pixel), Error> {

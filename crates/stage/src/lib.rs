@@ -13,6 +13,10 @@
 //! made once; the terminal, `--format json`, the snapshots and the gallery all show that same list,
 //! so they cannot disagree. This crate knows no chapter and no formula.
 //!
+//! Beside it a stage has a picture ([`Canvas`]), answers the rows of a case file ([`Case`], [`Row`]) and is
+//! measured ([`TradeAsk`], [`Traded`]). [`Sketch`] is what the inspector and the book's [`figure`]s draw
+//! with, [`tiled`] works on a picture with several threads, and [`write_whole`] writes a file or leaves none.
+//!
 //! A section of it, by hand:
 //!
 //! ```

@@ -5,8 +5,8 @@ use std::thread::{Builder, available_parallelism, scope};
 
 use crate::Error;
 
-/// A value for every pixel of a picture of `size` = (columns, rows), row by row from the top, by its column and row.
-/// It does not depend on how many threads there are.
+/// A value for every pixel of a picture of `size` = (columns, rows), neither 0, row by row from the top, by
+/// its column and row. It does not depend on how many threads there are.
 ///
 /// [`Error::Failed`] where the memory for it cannot be had.
 pub fn each_pixel<T: Clone + Default + Send>(

@@ -68,8 +68,8 @@ pub struct Sketch {
 }
 
 impl Sketch {
-    /// The part of the plane from the lower left corner `low` to the upper right `high`, as large as the
-    /// frame allows.
+    /// The part of the plane from the lower left corner `low` to the upper right `high`, which is above it
+    /// and to its right, as large as the frame allows.
     pub fn new(low: Place, high: Place) -> Sketch {
         let (right, bottom) = (SKETCH.0 as f32 - BORDER, SKETCH.1 as f32 - BORDER);
         Sketch {
@@ -113,7 +113,7 @@ impl Sketch {
         self
     }
 
-    /// A circle by its center and radius.
+    /// A circle by its center and radius, both in the plane.
     pub fn circle(&mut self, center: Place, radius: f64, ink: Ink) -> &mut Sketch {
         let ((x, y), radius) = (self.at(center), f64::from(self.view.length(radius)));
         if [x, y, radius].iter().all(|it| it.is_finite()) {

@@ -17,11 +17,12 @@ pub struct TradeAsk {
     pub precision: Option<Precision>,
     /// The regimes to measure in, by name; none named: all.
     pub regimes: Vec<String>,
-    /// How many cases of each regime are judged; `None`: as many as the time allows.
+    /// How many cases of each regime are judged, at least 1; `None`: as many as the stage judges by itself,
+    /// fewer where that is to be quick.
     pub cases: Option<usize>,
     /// The seed of the cases.
     pub seed: u64,
-    /// Seconds instead of a minute.
+    /// Whether to take seconds instead of a minute.
     pub quick: bool,
     /// The scene file to measure in; `None`: the stage's own scenes, its regimes.
     pub scene: Option<PathBuf>,

@@ -60,7 +60,7 @@ pub struct Transcript {
 }
 
 impl Transcript {
-    /// An empty transcript for a request.
+    /// An empty transcript for a request, whose method must be one of the stage's.
     pub fn new(about: &About, ask: &Ask) -> Transcript {
         let method = about.methods[ask.method];
         Transcript { stage: about.name, method, precision: ask.precision.name(), sections: Vec::new() }
@@ -105,7 +105,7 @@ impl Section {
         self
     }
 
-    /// Sets the table.
+    /// Sets the table; each of `rows` is as long as `columns`.
     pub fn table(&mut self, columns: &[&str], rows: Vec<Vec<Value>>) -> &mut Section {
         let columns = columns.iter().map(|column| column.to_string()).collect();
         self.table = Some(Table { columns, rows, in_text: usize::MAX });

@@ -12,8 +12,9 @@ pub struct View {
 }
 
 impl View {
-    /// The view of the plane from (left, bottom) to (right, top) within the part of a canvas from its
-    /// top left corner `from` to its bottom right corner `to`, in drawing units.
+    /// The view of the plane from (left, bottom) to (right, top), with left < right and bottom < top, within
+    /// the part of a canvas from its top left corner `from` to its bottom right corner `to`, in drawing
+    /// units.
     pub fn new(
         (left, bottom): (f64, f64),
         (right, top): (f64, f64),
@@ -37,7 +38,7 @@ impl View {
         ((x - self.x) / self.scale, (self.y - y) / self.scale)
     }
 
-    /// How far two places of the canvas are apart.
+    /// How far two places of the canvas are apart, in drawing units.
     pub fn apart(a: (f32, f32), b: (f32, f32)) -> f32 {
         let (x, y) = (a.0 - b.0, a.1 - b.1);
         (x * x + y * y).sqrt()

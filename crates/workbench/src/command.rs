@@ -38,7 +38,10 @@ pub fn main_from(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// Does what a command line asks, and writes the answer to `output`.
+/// Does what a command line, one of [`command`], asks, and writes the answer to `output`.
+///
+/// The error of the verb; [`Error::NotYet`] where an attempt is not right, [`Error::Request`] where a folder
+/// for pictures is named for a verb that draws none.
 pub fn serve(matches: &ArgMatches, output: &mut dyn Write) -> Result<(), Error> {
     draws_where(matches)?;
     match matches.subcommand() {
@@ -244,7 +247,7 @@ fn out() -> Arg {
         .long("out")
         .value_name("DIR")
         .value_parser(value_parser!(PathBuf))
-        .help("The folder for the pictures and the page that shows them [default: out]")
+        .help("Of run alone: the folder for the pictures and the page that shows them [default: out]")
 }
 
 /// The folder to write to: the default one is made, a named one has to be there.

@@ -11,7 +11,8 @@ use crate::run::{Finished, book_page, inspector_page, trade_drawing};
 /// How the page looks, at any width, in light and in dark.
 const STYLE: &str = include_str!("gallery.css");
 
-/// Writes the page. Its pictures are expected beside it, as `NAME.png`, and its drawings as `trade/NAME.svg`.
+/// Writes the page, HTML in UTF-8. Its pictures are expected beside it, as `NAME.png`, and its drawings as
+/// `trade/NAME.svg`. The error is that of `page`.
 pub fn write(finished: &[Finished], page: &mut dyn Write) -> io::Result<()> {
     let title = "First Hit: the stages";
     writeln!(

@@ -7,7 +7,8 @@ use stage::{About, Error, Stage};
 
 use crate::stages::widest;
 
-/// Writes three lines a stage, or one JSON list with the same fields.
+/// Writes three lines a stage, or one JSON list with the same fields. [`Error::Failed`] where that cannot be
+/// written, [`Error::PipeClosed`] where nobody reads it.
 pub fn list(stages: &[&dyn Stage], json: bool, output: &mut dyn Write) -> Result<(), Error> {
     let entries: Vec<Entry> = stages.iter().map(|stage| Entry(stage.about())).collect();
     let text = if json { to_json(&entries) } else { to_text(&entries) };

@@ -23,7 +23,7 @@ pub fn names() -> Vec<&'static str> {
 }
 
 /// The stages with these names, in the order of the book, each once; all of them where no name is
-/// given.
+/// given. A name that no stage has is passed over.
 pub fn named(names: &[&str]) -> Vec<&'static dyn Stage> {
     let wanted = |stage: &&dyn Stage| names.is_empty() || names.contains(&stage.about().name);
     ALL.iter().copied().filter(wanted).collect()

@@ -17,9 +17,10 @@ fn the_help_is_true() {
     let mut command = ::workbench::command();
     command.build();
     let mut said = command.render_help().to_string();
-    for name in ["run", "list"] {
-        let verb = command.find_subcommand_mut(name).unwrap().render_help();
-        said.push_str(&format!("\n$ workbench {name} --help\n{verb}"));
+    for words in ["run", "list", "exercise", "exercise list", "exercise start", "check", "grade"] {
+        let verb =
+            words.split(' ').fold(&mut command, |command, name| command.find_subcommand_mut(name).unwrap());
+        said.push_str(&format!("\n$ workbench {words} --help\n{}", verb.render_help()));
     }
     assert_snapshot("workbench.help", &said);
 }

@@ -77,7 +77,8 @@ impl<R: Real> Batch<R> {
         hits
     }
 
-    /// The same, into the memory of earlier answers: those are forgotten.
+    /// The same, into the memory of earlier answers, which are forgotten, and by the instructions that are
+    /// asked for. Which they are changes no bit of the answers.
     pub fn hits_into(&self, hits: &mut Hits<R>, span: Span<R>, instructions: Instructions) {
         hits.len = self.len;
         hits.packets.resize(self.packets.len(), PacketHits::none());
@@ -104,7 +105,8 @@ impl<R: Real> Hits<R> {
         Hits { len: 0, packets: Vec::new() }
     }
 
-    /// Every ray's answer, as every method gives it.
+    /// Every ray's answer, as every method gives it: `None` for a miss, [`Degenerate`] where
+    /// [`Sphere::check`] refuses.
     pub fn outcomes(&self) -> impl Iterator<Item = Result<Option<Hit3<R>>, Degenerate>> + '_ {
         let lanes = self.packets.iter().flat_map(|packet| (0..LANES).map(|lane| packet.outcome(lane)));
         lanes.take(self.len)

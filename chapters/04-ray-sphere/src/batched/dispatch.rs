@@ -16,12 +16,12 @@ use math::{Real, Span};
 
 use super::packet::{Packet, PacketHits, first_hits};
 
-/// Which of the compiled versions to run.
+/// Which of the compiled versions to run. The answers are the same to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instructions {
     /// What every processor of its kind has.
     Baseline,
-    /// The best that this one has.
+    /// The best that this one has: AVX2 on an x86-64 processor with it, else the baseline.
     Best,
 }
 

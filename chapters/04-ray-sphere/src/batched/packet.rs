@@ -12,7 +12,7 @@ pub const LANES: usize = 8;
 /// One number of every lane.
 pub type Column<R> = [R; LANES];
 
-/// A ray and a sphere in every lane, as ten columns.
+/// A ray and a sphere in every lane, as ten columns. A [`Batch`](super::Batch) makes and fills them.
 #[derive(Clone, Copy, Debug)]
 pub struct Packet<R> {
     origin: [Column<R>; 3],
@@ -24,7 +24,7 @@ pub struct Packet<R> {
 /// What became of a lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It hits.
+    /// It hits within the span.
     Hit,
     /// It misses, or hits outside the span.
     Miss,
@@ -37,13 +37,14 @@ pub enum Verdict {
 pub struct PacketHits<R> {
     /// Hit, miss or refused.
     pub verdict: Column<Verdict>,
-    /// Where on the ray; NaN for all but a hit, so that no comparison takes it for one.
+    /// Where on the ray, in lengths of its direction; NaN for all but a hit, so that no comparison takes it
+    /// for one.
     ///
     /// Not infinity: a hit beyond the largest number has that t.
     pub t: Column<R>,
     /// The columns x, y, z of the points. They mean something in the lanes of hits only.
     pub point: [Column<R>; 3],
-    /// The columns x, y, z of the outward normals. They mean something in the lanes of hits only.
+    /// The columns x, y, z of the outward unit normals. They mean something in the lanes of hits only.
     pub normal: [Column<R>; 3],
 }
 

@@ -12,7 +12,8 @@ pub const DIVISIONS: u32 = 3;
 /// A ball of radius 1 or so around `center`, closed and bumpy: an octahedron whose faces are divided in four so many
 /// times, its vertices pushed out to a distance that depends on the direction. It has 8 · 4^divisions faces.
 ///
-/// Each vertex is rounded once to the precision and shared by all its faces.
+/// Each vertex is rounded once to the precision and shared by all its faces. They are shaded flat, with
+/// normals that point outward. The center must be finite.
 pub fn bumpy_ball<R: Real>(divisions: u32, center: [f64; 3]) -> Mesh<R> {
     let (mut directions, mut faces) = octahedron();
     for _ in 0..divisions {

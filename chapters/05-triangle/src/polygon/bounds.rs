@@ -5,7 +5,8 @@ use math::{Real, Vector};
 use super::Polygon;
 
 impl<R: Real> Polygon<R> {
-    /// Two corners of a box around all points of the plane that [`Polygon::hit`] takes for inside.
+    /// Two corners of a box around all points of the plane that [`Polygon::hit`] takes for inside, the lowest
+    /// coordinates first; infinite where the numbers overflow.
     ///
     /// On the axes of the outline that is the outline. Along the third the corners may be a little off the plane, so
     /// the box goes to where the plane passes over them: x_w = p_w − (n_u (x_u − p_u) + n_v (x_v − p_v))/n_w, whose

@@ -9,7 +9,7 @@ use ray_plane::Plane;
 /// decimal places round away in a file, and much less than a reader would call bent.
 const PLANAR: f64 = 1e-4;
 
-/// Why corners make no planar polygon. Corners are counted from 1.
+/// Why corners make no planar polygon. Corners are counted from 1, and distances are in units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NotAPolygon {
     /// There are fewer than three.
@@ -29,7 +29,8 @@ pub enum NotAPolygon {
     },
     /// Newell's normal is zero: the corners lie on a line, or the loops of the polygon cancel.
     NoArea,
-    /// A corner is farther from the plane than a ten-thousandth of the polygon's extent.
+    /// A corner is farther from the plane than a ten-thousandth of the longest side of the box around the
+    /// polygon.
     NotPlanar {
         /// Which one, from 1.
         corner: usize,

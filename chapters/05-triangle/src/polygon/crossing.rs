@@ -22,7 +22,8 @@ use math::{Bounded, Exact, Real, Sure, TwoPart};
 pub struct Crossing<R> {
     /// Which side, from 0: that from corner `side` to the next one.
     pub side: usize,
-    /// Where: the t of s(t), about, for a reader. That it is > 0 was decided without it.
+    /// Where: the t of s(t), about, for a reader, in units of the scene. That it is > 0 was decided without
+    /// it.
     pub t: R,
     /// Which way the side goes there.
     pub way: Way,

@@ -19,7 +19,8 @@ pub struct EvenOdd<R> {
     pub crossings: Vec<Crossing<R>>,
 }
 
-/// Works out the even-odd rule for a closed outline and a finite point.
+/// Works out the even-odd rule (CSC418 11.3.2, put right) for an outline, from corner to corner and back to
+/// the first, and a point. All must be finite.
 pub fn even_odd<R: Real>(outline: &[[R; 2]], point: [R; 2]) -> EvenOdd<R> {
     let met = crossings(outline, point);
     EvenOdd { point, on_side: met.on_side, crossings: met.crossings }

@@ -9,8 +9,9 @@ const DIGITS_ENOUGH: f64 = (1u64 << 60) as f64;
 /// Between 2^−30 and 2^30 a normal is kept as it is: its square is an ordinary number of `f32` too.
 const KEPT: i32 = 30;
 
-/// Newell's normal: Σ p̄_i × p̄_{i+1}, twice the area seen along each axis, rounded to the precision, and scaled by
-/// a power of two where it is very large or very small. `None` where it is zero, exactly.
+/// Newell's normal: Σ p̄_i × p̄_{i+1}, twice the area seen along each axis, rounded to the precision. It is
+/// scaled by a power of two where it is very large or very small, and to a largest component of 1 where
+/// only exact numbers tell it. `None` where it is zero, exactly.
 ///
 /// The corners must be finite, three or more.
 pub(super) fn normal<R: Real>(corners: &[R::Vec3]) -> Option<R::Vec3> {

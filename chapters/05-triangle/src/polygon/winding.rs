@@ -19,11 +19,13 @@ pub struct Winding<R> {
     pub on_side: Option<usize>,
     /// The sides that s(t) crosses for t > 0.
     pub crossings: Vec<Crossing<R>>,
-    /// How many of them go up, less how many go down. Means nothing on the boundary.
+    /// How many of them go up, less how many go down: above zero where the outline goes around the point
+    /// counterclockwise. Means nothing on the boundary.
     pub number: i64,
 }
 
-/// Works out the winding number of a closed outline around a finite point.
+/// Works out the winding number of an outline, from corner to corner and back to the first, around a point.
+/// All must be finite.
 pub fn winding<R: Real>(outline: &[[R; 2]], point: [R; 2]) -> Winding<R> {
     let met = crossings(outline, point);
     let turn = |crossing: &Crossing<R>| match crossing.way {

@@ -8,8 +8,10 @@ use math::{Around, Glance, Ray3, Real, Vector};
 use super::plain::plainly;
 use super::{OpenCone, Verdict};
 
-/// Whether the ray meets the wall ahead, and roughly where first. Of a ray or a cone that is none, and of what happens
-/// exactly at an end or in one point: [`Glance::Unsure`].
+/// Whether the ray meets the wall ahead, [`Glance::First`] or [`Glance::Misses`], and roughly where first.
+///
+/// [`Glance::Unsure`] for what happens exactly at an end, at the origin or in one point or nearly so, and
+/// for a degenerate ray or cone.
 #[inline(always)]
 pub fn glance<R: Real>(ray: &Ray3<R>, cone: &OpenCone<R>) -> Glance {
     let (o, d) = (ray.origin.in_f64::<3>(), ray.direction.in_f64::<3>());

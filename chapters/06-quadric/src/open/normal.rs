@@ -18,7 +18,8 @@ impl<R: Real> OpenCone<R> {
     /// ```
     ///
     /// first straight out from the axis, then along it, toward the smaller end. It is zero at the tip, and
-    /// [`OpenCone::tip_normal`] is given there. The point must be finite; the normal then is, too.
+    /// [`OpenCone::tip_normal`] is given there. The point must be finite; the normal then is, too. For
+    /// measures that [`OpenCone::check`] refuses it means nothing.
     #[inline(always)]
     pub fn normal(&self, point: R::Vec3) -> R::Vec3 {
         let point = point.in_f64::<3>();
@@ -46,7 +47,8 @@ impl<R: Real> OpenCone<R> {
         unit_of_wide::<R>(gradient)
     }
 
-    /// The normal that is given at the tip, where the wall has none: along the axis, out of the cone.
+    /// The normal that is given at the tip, where the wall has none: along the axis, out of the cone, of
+    /// length 1. For a cone without a tip it leads from the base to the apex.
     pub fn tip_normal(&self) -> R::Vec3 {
         let (v, _) = self.wide_axis();
         let out = unit_of_wide::<R>(v);

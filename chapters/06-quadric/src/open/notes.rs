@@ -51,11 +51,11 @@ pub struct Notes<R: Real> {
 /// A root, if there is one, and what the test says of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate<R: Real> {
-    /// λ; `None` where there is no such root.
+    /// λ, in lengths of d; `None` where there is no such root.
     pub lambda: Option<R>,
     /// s_a + λ s_d; zero where there is no λ.
     pub s: R,
-    /// p(λ) = a + λ d; the origin where there is no λ.
+    /// p(λ) = a + λ d; the origin of the ray where there is no λ.
     pub point: R::Vec3,
     /// What the test says.
     pub test: Test,
@@ -66,7 +66,7 @@ pub struct Candidate<R: Real> {
 pub enum Test {
     /// There is none: D < 0, or A = 0 and no other root.
     NoPoint,
-    /// Not 0 ≤ s ≤ 1: beyond an end.
+    /// Not 0 ≤ s ≤ 1: beyond an end; or a point whose numbers overflowed.
     BeyondEnd,
     /// r(s) < 0: the other nappe.
     OtherNappe,
@@ -74,7 +74,7 @@ pub enum Test {
     OnWall,
 }
 
-/// Works out the method, for a direction of any length but zero.
+/// Works out the page's method (CSC418 11.3.5) for any axis, for a direction of any length but zero.
 ///
 /// A degenerate question gives values that mean nothing; [`Notes::hit`] refuses it.
 #[inline]
@@ -129,7 +129,8 @@ fn roots<R: Real>(a: R, b: R, c: R, d: R) -> [Option<R>; 2] {
 }
 
 impl<R: Real> Notes<R> {
-    /// The place among the candidates of the one with the smallest λ in `span`; on a tie the first.
+    /// The place among the candidates of the one with the smallest λ in `span`; on a tie the first. `None`
+    /// where none of them is a point of the wall in the span.
     #[inline]
     pub fn nearest(&self, span: Span<R>) -> Option<usize> {
         let mut nearest = None;
@@ -145,7 +146,10 @@ impl<R: Real> Notes<R> {
         nearest
     }
 
-    /// The nearest hit in `span`, with the side of the wall that is away from the axis as its normal.
+    /// The nearest hit in `span`, with the normal of [`OpenCone::normal`], away from the axis.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`OpenCone::check`]. On
+    /// paper a ray that lies in the wall has A = B = C = 0: every λ is a root, and the method takes none.
     #[inline]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         self.cone.check(&self.ray)?;

@@ -29,14 +29,15 @@ pub struct Robust<R: Real> {
     pub verdict: Verdict,
     /// With what kind of number the verdict was reached.
     pub certainty: Certainty,
-    /// λ ≥ 0 of the place that is met, off by less than a unit of its last digit; `None` for a miss.
+    /// λ ≥ 0 of the place that is met, in lengths of the direction, off by less than a unit of its last
+    /// digit; `None` for a miss.
     pub t: Option<R>,
     /// With what kind of number t was worked out.
     pub t_certainty: Certainty,
     refused: Option<Degenerate>,
 }
 
-/// Works out the robust method.
+/// Works out the robust method, for a direction of any length but zero.
 #[inline]
 pub fn robust<R: Real>(ray: &Ray3<R>, cone: &OpenCone<R>) -> Robust<R> {
     let [o, d] = [ray.origin, ray.direction].map(Vector::in_f64::<3>);
@@ -120,7 +121,10 @@ fn is_clearly_beyond<R: Real>(t: R, min: R) -> bool {
 
 impl<R: Real> Robust<R> {
     /// The first hit in `span`. That λ ≥ span.min is decided exactly, and so a t that comes out a rounding below it is
-    /// given as span.min; span.max is compared with t as rounded. What lies behind the origin is not looked for.
+    /// given as span.min; span.max is compared with t as rounded. What lies behind the origin is not looked
+    /// for. The normal is that of [`OpenCone::normal`], away from the axis.
+    ///
+    /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`OpenCone::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
         let zero = R::from(0.0);

@@ -14,7 +14,7 @@ use super::line::Line;
 /// What becomes of the ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It meets nothing.
+    /// It meets nothing at λ ≥ 0.
     Misses,
     /// It starts on the wall; at this end of it, if it is one.
     Starts(Option<End>),

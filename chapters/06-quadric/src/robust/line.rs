@@ -54,7 +54,7 @@ impl<N: Sure> Line<N> {
         Line { shape, o, d, s, half }
     }
 
-    /// Beside the unit solid. The numbers must be finite.
+    /// The line o + λ d beside the unit solid. The numbers must be finite, and d not zero.
     #[inline(always)]
     pub fn beside_unit(shape: Shape, o: [f64; 3], d: [f64; 3]) -> Line<N> {
         Line::new(shape, o.map(N::of), d.map(N::of), N::of(1.0))
@@ -125,7 +125,7 @@ impl<N: Sure> Line<N> {
         }
     }
 
-    /// How far the plane of a part is above the origin.
+    /// How far the plane of a part is above the origin, see [`rise_to`].
     #[inline(always)]
     pub fn rise_to(&self, part: Part) -> N {
         rise_to(part, self.s.clone(), self.o[2].clone())

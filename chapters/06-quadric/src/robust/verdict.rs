@@ -200,13 +200,14 @@ impl<N: Sure> Line<N> {
         }
     }
 
-    /// λ of a place where the line enters.
+    /// λ of a place where the line enters, of either sign, to the precision of R as [`Line::lambda`] has
+    /// it. `None` where the numbers are not good enough for that.
     #[inline(always)]
     pub fn lambda_where_f_falls<R: Real>(&self, place: Place) -> Option<R> {
         self.lambda_at(place, -1.0)
     }
 
-    /// λ of a place where the line leaves.
+    /// λ of a place where the line leaves, likewise.
     #[inline(always)]
     pub fn lambda_where_f_rises<R: Real>(&self, place: Place) -> Option<R> {
         self.lambda_at(place, 1.0)

@@ -54,7 +54,8 @@ pub(super) fn camera<R: Real>(file: &Scene, size: (u32, u32)) -> Result<(Camera<
         ),
     })?;
     // what overflows does so at an end of the grid, if not in between
-    let ends = [(0, 0), (size.0 - 1, size.1 - 1)].map(|pixel| grid.point(&window, size, pixel));
+    let ends = [(0, 0), (size.0.saturating_sub(1), size.1.saturating_sub(1))]
+        .map(|pixel| grid.point(&window, size, pixel));
     let is_ray = |end: &Result<(R, R), _>| end.as_ref().is_ok_and(|end| camera.ray(*end).check().is_ok());
     if distance <= R::from(0.0) || !ends.iter().all(is_ray) {
         return Err(file.fault(

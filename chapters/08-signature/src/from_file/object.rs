@@ -27,7 +27,7 @@ pub(super) fn object<R: Real>(file: &scene_file::Scene, it: &scene_file::Object)
     Ok(Object { id: it.id, shape: shape(&it.shape, by, &refuse)? })
 }
 
-/// A step of a transform.
+/// A step of a file's transform, in the words of [`mod@crate::deform`].
 pub fn transform(step: scene_file::Transform) -> Transform {
     match step {
         scene_file::Transform::Scale(factors) => Transform::Scale(factors),

@@ -25,12 +25,12 @@ pub struct WideMesh<R> {
 }
 
 impl<R: Real> WideMesh<R> {
-    /// A tree over the faces of a mesh, of which there are fewer than 2²⁷.
+    /// A tree over the faces of a mesh, of which there are fewer than 2²⁷; with more it panics.
     pub fn of_mesh(mesh: &Mesh<R>) -> WideMesh<R> {
         WideMesh::build(mesh.faces().len(), |face| mesh.triangle(face))
     }
 
-    /// A tree over triangles with finite corners. One without an area is never hit.
+    /// A tree over triangles with finite corners, as many as for a mesh. One without an area is never hit.
     pub fn of_triangles(triangles: &[Triangle<R>]) -> WideMesh<R> {
         WideMesh::build(triangles.len(), |face| triangles[face])
     }
@@ -60,8 +60,9 @@ impl<R: Real> WideMesh<R> {
         WideMesh { version: Version::of(instructions), ..self }
     }
 
-    /// The nearest face that `method` hits in `span`, and its t; at the same t the earlier face. What else
-    /// there is to say of the hit, the method says for that face.
+    /// The nearest face that `method` hits in `span`, by its place in the mesh, and its t; at the same t the
+    /// earlier face. `None` for a miss. What else there is to say of the hit, the method says for that face.
+    /// The ray must be a ray.
     ///
     /// With `robust`, exactly what [`Mesh::hit`] says. The other two may be wrong about a ray beside the
     /// triangle, or about t by more than [`Reach::ULPS`](crate::Reach::ULPS) where it grazes: such a hit is

@@ -26,7 +26,7 @@ use signature::{Method, Shape};
 use crate::Landing;
 use put::Put;
 
-/// A point on a surface, in `f64`.
+/// A point on a surface in the world, in `f64`. Lengths are in units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Foot<R: Real> {
     /// The point.

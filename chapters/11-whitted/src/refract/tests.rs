@@ -94,3 +94,18 @@ fn it_stays_in_the_plane_of_the_direction_and_the_normal() {
         }
     }
 }
+
+/// What grazes between equal indices is not bent, and its angle is not above 90°: its sine is rounded.
+#[test]
+fn a_grazing_ray_that_is_not_bent_has_an_angle() {
+    let mut above = 0;
+    for step in 0..1000 {
+        let angle = f64::from(step) / 100.0;
+        let d = DVec3::new(angle.cos(), angle.sin(), -1e-12).normalize();
+        let same = refract::<f64>(d, DVec3::Z, 1.5, 1.5);
+        above += usize::from(same.sin2_theta2 > 1.0);
+        let theta2 = same.theta2().unwrap();
+        assert!(same.t == Some(d) && (theta2 - 90.0).abs() < 1e-5, "{d}: {theta2}");
+    }
+    assert!(above > 0);
+}

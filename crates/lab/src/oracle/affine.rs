@@ -11,8 +11,9 @@ use crate::Truth;
 /// What is true of a ray and {A p + t : p in the unit object}, from the columns
 /// `ox,oy,oz,dx,dy,dz,a11,a12,a13,a21,a22,a23,a31,a32,a33,tx,ty,tz`.
 ///
-/// The root is that of [`quadric`](super::quadric()) for the ray that A⁻¹ takes back. Invalid, whichever comes
-/// first: a number that is not finite, a zero direction, a singular matrix (det A = 0).
+/// The root is that of [`quadric`](super::quadric()) for the ray that A⁻¹ takes back, and so is the reason of
+/// a miss. Invalid, whichever comes first: a number that is not finite, a zero direction, a singular matrix
+/// (det A = 0).
 pub fn affine(shape: UnitObject, case: [f64; 18], precision: Precision) -> Truth {
     exact_affine(shape, case).written(precision)
 }

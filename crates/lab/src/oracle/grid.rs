@@ -6,8 +6,9 @@ use stage::Precision;
 use super::{Dyadic, ExactRoot};
 use crate::Root;
 
-/// The exact place (x, y) of a pixel on a grid; of [`math::Grid`] only the names are used. Panics where a
-/// number of the window is not finite, and for `edges` with one column or row.
+/// The exact place (x, y) of a pixel on a grid, in camera coordinates, x right and y up; of [`math::Grid`]
+/// only the names are used. Panics where a number of the window is not finite, for a size of 0, and for
+/// `edges` with one column or row.
 ///
 /// All three grids go an exact share of the way, from left to right and from top to bottom: of `count`
 /// pixels number i lies at (i + ½)/count (`centers`), i/count (`lattice`, whose halves about the center

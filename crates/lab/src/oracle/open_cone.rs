@@ -17,9 +17,9 @@ use crate::Truth;
 /// What is true of a ray and an open cone, from the columns `ox,oy,oz,dx,dy,dz,bx,by,bz,rb,ax,ay,az,ra`: the base
 /// with its radius, the apex with its own.
 ///
-/// t is the smallest t ≥ `from` at which the ray is on the wall; a ray in the wall is on it from one end to the other.
-/// Invalid, whichever comes first: a number that is not finite, a zero direction, a radius below zero or two that are
-/// zero, an apex that is the base.
+/// t is the smallest t ≥ `from`, which must be finite, at which the ray is on the wall; a ray in the wall is
+/// on it from one end to the other. There is no t_out. Invalid, whichever comes first: a number that is not
+/// finite, a zero direction, a radius below zero or two that are zero, an apex that is the base.
 pub fn open_cone(case: [f64; 14], from: f64, precision: Precision) -> Truth {
     exact_open_cone(case, from).written(precision)
 }

@@ -7,7 +7,8 @@ use super::vector::{difference, dot, is_zero, vectors};
 use super::{ExactRoot, Verdict};
 use crate::Truth;
 
-/// What is true of a ray and a plane, from the columns `ox,oy,oz,dx,dy,dz,px,py,pz,nx,ny,nz`.
+/// What is true of a ray and a plane, from the columns `ox,oy,oz,dx,dy,dz,px,py,pz,nx,ny,nz`; the normal may
+/// have any length. There is no t_out.
 ///
 /// A ray with n · d = 0 is a miss: `in-plane` where it runs in the plane, else `parallel`. Invalid,
 /// whichever comes first: a number that is not finite, a zero direction, a zero normal.

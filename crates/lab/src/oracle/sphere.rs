@@ -10,8 +10,8 @@ use crate::Truth;
 
 /// What is true of a ray and a sphere, from the columns `ox,oy,oz,dx,dy,dz,cx,cy,cz,r`.
 ///
-/// A tangent hits, at two equal roots. Invalid, whichever comes first: a number that is not finite, a zero
-/// direction, r ≤ 0.
+/// t_out is the larger root, also for a ray that starts inside. A tangent hits, at two equal roots. Invalid,
+/// whichever comes first: a number that is not finite, a zero direction, r ≤ 0.
 pub fn sphere(case: [f64; 10], precision: Precision) -> Truth {
     exact_sphere(case).written(precision)
 }

@@ -9,9 +9,10 @@ use crate::Truth;
 
 /// What is true of a ray and a triangle, from the columns `ox,oy,oz,dx,dy,dz,ax,ay,az,bx,by,bz,cx,cy,cz`.
 ///
-/// Its edges and corners belong to it. A ray with n · d = 0, for n = (b − a) × (c − a), is a miss: `in-plane`
-/// where it runs in the triangle's plane, else `parallel`. Invalid, whichever comes first: a number that is
-/// not finite, a zero direction, no area (n = 0).
+/// Its edges and corners belong to it, and it is met from either side. There is no t_out. A ray with
+/// n · d = 0, for n = (b − a) × (c − a), is a miss: `in-plane` where it runs in the triangle's plane, else
+/// `parallel`. Invalid, whichever comes first: a number that is not finite, a zero direction, no area
+/// (n = 0).
 pub fn triangle(case: [f64; 15], precision: Precision) -> Truth {
     exact_triangle(case).written(precision)
 }

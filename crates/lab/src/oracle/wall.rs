@@ -6,7 +6,8 @@ use stage::Precision;
 use super::{Dyadic, ExactRoot, Verdict};
 use crate::Truth;
 
-/// What is true of a ray and a wall, from the columns `ox,oy,dx,dy,front,back`.
+/// What is true of a ray and a wall, from the columns `ox,oy,dx,dy,front,back`. t_out is where the ray leaves
+/// by the other face.
 ///
 /// A ray with dx = 0 is a miss: `in-plane` where it runs in a face, else `parallel`, inside the wall
 /// too. Invalid, whichever comes first: a number that is not finite, a zero direction, front > back.

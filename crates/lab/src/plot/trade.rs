@@ -121,13 +121,14 @@ impl Page {
     }
 }
 
-/// Speed against accuracy as an SVG: nanoseconds per ray to the right, error upward, both logarithmic,
-/// the better the further down and left. Both axes are the same in every panel.
+/// Speed against accuracy as the text of an SVG: nanoseconds per ray to the right, error upward, both
+/// logarithmic, the better the further down and left. Both axes are the same in every panel.
 ///
 /// The axis of errors is whole decades up to 1, from 1e-17 or below where they are of numbers
-/// ([`Words::rounds`]), else from below the least share; an error of exactly 0 is shown at its end. The axis of times ends at numbers 1, 2 or 5 times a power of ten: times mostly span less than
-/// two decades, and whole ones would leave half of every panel empty. It covers what is typical; the few
-/// marks that are far slower stand in a band at its end, and their labels give the time.
+/// ([`Words::rounds`]), else from below the least share; an error of exactly 0 is shown at its end. The axis
+/// of times ends at numbers 1, 2 or 5 times a power of ten: times mostly span less than two decades, and
+/// whole ones would leave half of every panel empty. It covers what is typical; the few marks that are far
+/// slower stand in a band at its end, and their labels give the time.
 pub fn trade_svg(plot: &TradePlot) -> String {
     let page = Page::of(plot.panels.len());
     let inner = page.width - 2.0 * MARGIN;

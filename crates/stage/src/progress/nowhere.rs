@@ -2,23 +2,23 @@
 
 use std::borrow::Cow;
 
-/// Nothing that is seen.
+/// A bar over steps that nobody sees.
 pub struct Progress;
 
 impl Progress {
-    /// See the other one.
+    /// A bar of so many steps.
     pub fn new(_: u64) -> Progress {
         Progress
     }
 
-    /// See the other one.
+    /// A bar with a name.
     pub fn patient(_: u64, _: impl Into<Cow<'static, str>>) -> Progress {
         Progress
     }
 
-    /// See the other one.
+    /// Names the step that begins.
     pub fn starts(&self, _: impl Into<Cow<'static, str>>) {}
 
-    /// See the other one.
+    /// One step is done.
     pub fn done(&self) {}
 }

@@ -9,7 +9,7 @@ use math::{Real, Vector};
 use quadric::open::OpenCone;
 use signature::Shape;
 
-/// A point put on a surface.
+/// A point put on a surface, in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Put {
     /// The point.
@@ -21,7 +21,8 @@ pub struct Put {
 }
 
 impl Put {
-    /// p̄ with the unit normal n⃗ put on a shape. u is the error of an operation.
+    /// p̄ with the unit normal n⃗ put on a shape; `face` is the face of a mesh. u is the error of an operation.
+    /// What it cannot work out is not finite, see [`Put::is_finite`].
     #[inline]
     pub fn on<R: Real>(u: f64, p: [f64; 3], n: [f64; 3], shape: &Shape<R>, face: Option<usize>) -> Put {
         match shape {
