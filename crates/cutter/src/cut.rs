@@ -192,7 +192,8 @@ pub fn statements(region: &Region) -> Result<Vec<String>, String> {
     Ok(parts.map(|span| squeezed(&text[range(span)])).collect())
 }
 
-/// A text without comments and white space, to be compared with others.
+/// A text without `//` comments and white space, to be compared with others. What follows `//` within a
+/// string is taken for a comment too.
 pub fn squeezed(text: &str) -> String {
     let code = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
     code.flat_map(str::chars).filter(|sign| !sign.is_whitespace()).collect()

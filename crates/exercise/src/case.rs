@@ -36,7 +36,7 @@ impl<'a> Case<'a> {
         ["x", "y"].map(|axis| self.number(&format!("{name}{axis}")))
     }
 
-    /// The names of the columns and their numbers, in order.
+    /// The names of the columns and their numbers, in order, as far as there are numbers.
     pub fn all(&self) -> impl Iterator<Item = (&'a str, f64)> {
         self.columns.iter().map(String::as_str).zip(self.numbers.iter().copied())
     }

@@ -80,7 +80,7 @@ fn done(ended: io::Result<()>) -> ExitCode {
     }
 }
 
-/// `cargo test`: the rows of one property.
+/// `cargo test`: the rows of one property, by its name. A property that the sheet does not have passes.
 ///
 /// # Panics
 /// Where a value is wrong, with what was expected, and where `work` has no sheet. (A test fails by a panic.)

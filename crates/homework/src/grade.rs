@@ -51,9 +51,10 @@ pub enum GradeFormat {
 /// A folder that is no submission, one that does not compile, and one that had to be stopped have their grade
 /// as well.
 ///
-/// [`Error::Request`] where a folder is not there, where none is a submission but each holds some, where
-/// there is no such exercise, or where Gradescope's format is asked for more than one. [`Error::Failed`]
-/// where there is no sandbox, a hand-out cannot be built, or the grades not be written.
+/// [`Error::Request`] where a folder is not there, where there is no submission among them or each of them
+/// only holds some, where there is no such exercise, or where Gradescope's format is asked for other than
+/// one folder. [`Error::Failed`] where [`Catalog::read`] fails, there is no sandbox, a hand-out cannot be
+/// built, or the grades not be written; [`Error::PipeClosed`] where nobody reads them.
 pub fn grade(ask: &GradeAsk, output: &mut dyn Write) -> Result<(), Error> {
     if ask.format == GradeFormat::Gradescope && ask.folders.len() != 1 {
         let why =

@@ -15,7 +15,8 @@ use crate::{Catalog, Exercise, folder};
 /// at all. Then says on `output` where it is and what to do next.
 ///
 /// [`Error::Request`] where there is no exercise of that name; [`Error::Failed`] where [`Catalog::read`]
-/// fails, where something is in the folder already, or a file cannot be written.
+/// fails, where something is in the folder already, or a file cannot be written; [`Error::PipeClosed`] where
+/// nobody reads the output.
 pub fn start(name: &str, into: &Path, output: &mut dyn Write) -> Result<(), Error> {
     let catalog = Catalog::read()?;
     let exercise = catalog.find(name)?;

@@ -136,7 +136,7 @@ impl Accuracy {
         if counted == 0 { 0.0 } else { self.lost / counted as f64 }
     }
 
-    /// Wrong verdicts as a share of all.
+    /// Wrong verdicts as a share of all cases, from 0 to 1; 0 where there are none.
     pub fn wrong_share(&self) -> f64 {
         self.wrong as f64 / self.cases.max(1) as f64
     }
@@ -149,7 +149,7 @@ fn larger(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     }
 }
 
-/// Many errors in ulps, as counts: exact up to 256, above that rounded up to 8 leading binary digits.
+/// Many errors in ulps, as counts: exact below 256, from there on rounded up to 8 leading binary digits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ulps {
     counts: BTreeMap<u64, u64>,
@@ -175,8 +175,8 @@ impl Ulps {
         self.max = self.max.max(other.max);
     }
 
-    /// The error that a share of all, from 0 to 1, does not exceed: 0.5 for the median. Above 256 it is given
-    /// up to 0.8 % too high. `None` where there is none.
+    /// The error that a share of all, from 0 to 1, does not exceed: 0.5 for the median. From 256 on it is
+    /// given up to 0.8 % too high. `None` where there is none.
     pub fn quantile(&self, share: f64) -> Option<u64> {
         let wanted = ((share * self.total as f64).ceil() as u64).max(1);
         let mut seen = 0;

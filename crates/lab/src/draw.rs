@@ -67,7 +67,7 @@ impl Draw {
         self.bits() % bound
     }
 
-    /// From `low` up to `high`, every number as likely as the next.
+    /// From `low` up to `high`, which only a rounding reaches; every number is as likely as the next.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.bits() >> 11) as f64 / (1u64 << 53) as f64)
     }
@@ -152,7 +152,8 @@ impl Draw {
         (columns, a * a + b * b + c * c + d * d)
     }
 
-    /// A whole number from `low` to `high`, both included; `high` is not below `low`.
+    /// A whole number from `low` to `high`, both included; `high` is not below `low`, and less than
+    /// 2^31 above it.
     pub fn whole(&mut self, low: i32, high: i32) -> f64 {
         f64::from(low) + self.below((high - low) as u64 + 1) as f64
     }

@@ -1,7 +1,8 @@
 //! Which choices are worth considering.
 
 /// For every (cost, error) whether it is on the Pareto front: no other is at most as costly and at most as
-/// wrong, and less of one of the two. Of two that are the same in both, both are.
+/// wrong, and less of one of the two. Of two that are the same in both, both are; one with a NaN always
+/// is.
 pub fn front(points: &[(f64, f64)]) -> Vec<bool> {
     let beats = |a: &(f64, f64), b: &(f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
     points.iter().map(|point| !points.iter().any(|other| beats(other, point))).collect()

@@ -55,7 +55,7 @@ pub fn runner<'a, Q: 'a, R: Real, V: Vector<R>>(
 ///
 /// So many rays that the processor cannot learn by heart which of them hit, as it does with a thousand. A
 /// runner that would take longer for them than [`LONGEST_PASS`], or than its share of the time allowed, takes
-/// fewer, but never less than a few hundred.
+/// fewer, but never less than a few hundred, as far as `rays` allows.
 pub fn time(
     runners: &mut [Runner<'_>],
     pass: Pass,
@@ -94,7 +94,7 @@ pub fn time(
 
 /// How many rays tell whether a runner is slow.
 const A_FEW: usize = 256;
-/// How long a pass may take.
+/// How long a pass may take, but for a method that takes longer for a few hundred rays.
 pub const LONGEST_PASS: Duration = Duration::from_millis(4);
 
 impl Nanoseconds {

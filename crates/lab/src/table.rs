@@ -29,7 +29,8 @@ pub fn under(heads: &[&str], lines: impl Iterator<Item = (Vec<String>, bool)>) -
     aligned(&lines, &starred)
 }
 
-/// Three digits of a number that is not negative: 4.71, 47.1, 471, 4710. – for what is not finite.
+/// Three digits of a number that is not negative: 4.71, 47.1, 471. Below 1 it is two decimals (0.05), from
+/// 1000 on all digits before the point (4712). – for what is not finite.
 pub fn three_digits(x: f64) -> String {
     match x {
         _ if !x.is_finite() => "–".to_string(),
@@ -44,7 +45,7 @@ pub fn short(count: f64) -> String {
     if count < 1e6 { format!("{count:.0}") } else { small(count) }
 }
 
-/// A number of any size to two digits, zero as 0, infinity as ∞.
+/// A number of any size to two digits, zero as 0, infinity as ∞, NaN as NaN.
 pub fn small(x: f64) -> String {
     match x {
         0.0 => "0".to_string(),

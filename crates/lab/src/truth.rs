@@ -14,7 +14,7 @@ pub enum Truth {
     Hit {
         /// The smallest root ≥ 0.
         t: Root,
-        /// Where the line leaves the body; `None` for a surface without an inside.
+        /// Where the line leaves a wall or a sphere; `None` for everything else, which has no t_out.
         out: Option<Root>,
     },
 }
@@ -30,7 +30,8 @@ pub struct Root {
 }
 
 impl Root {
-    /// Whether it is where a glance says: not farther from its t than that may be off. Its numbers must be finite.
+    /// Whether it is where a glance says: not farther from its t than that may be off. The numbers of
+    /// `around` must be finite.
     pub fn is_within(&self, around: Around) -> bool {
         let away = self.fine - Wide::from(around.t);
         let away = if away.is_negative() { -away } else { away };

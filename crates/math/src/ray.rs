@@ -29,7 +29,8 @@ impl<R: Real> Ray3<R> {
         Ray3 { origin, direction }
     }
 
-    /// Refuses a ray that asks nothing: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`], whichever comes first.
+    /// Refuses a ray that asks nothing: [`Degenerate::NotFinite`], [`Degenerate::ZeroDirection`], whichever
+    /// comes first.
     ///
     /// Where numbers of the object can be refused too, the object's own `check` has the order of the reasons.
     #[inline(always)]

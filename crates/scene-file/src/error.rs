@@ -89,7 +89,8 @@ impl Error {
     }
 }
 
-/// `FILE:LINE:COLUMN: PROBLEM`, the line with the place marked, and the remedy; without a line at the end.
+/// `FILE:LINE:COLUMN: PROBLEM`, the line with the place marked, and the remedy; where no line is to blame,
+/// `cannot read FILE: PROBLEM; REMEDY`. Neither ends with a new line.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0.rendered)

@@ -42,9 +42,9 @@ pub use place::{At, Place};
 pub struct Scene {
     /// rayTrace's maxDepth, 1 to 1000.
     pub max_depth: u32,
-    /// What a ray sees that meets nothing, linear RGB.
+    /// What a ray sees that meets nothing, linear RGB, from 0 up.
     pub background: [f64; 3],
-    /// The ambient light I_a, linear RGB.
+    /// The ambient light I_a, linear RGB, from 0 up.
     pub ambient: [f64; 3],
     /// From where the scene is seen.
     pub camera: Camera,

@@ -65,7 +65,7 @@ pub enum Shape {
         base: [f64; 3],
         /// Its radius there, from 0 up.
         base_radius: f64,
-        /// The middle of the other end.
+        /// The middle of the other end, another point than `base`.
         apex: [f64; 3],
         /// Its radius there, from 0 up; one of the two is above 0.
         apex_radius: f64,
@@ -74,7 +74,7 @@ pub enum Shape {
     Patch {
         /// In order around it, three or more.
         vertices: Vec<[f64; 3]>,
-        /// One a vertex, of any length.
+        /// One a vertex, of any length, 0 too.
         normals: Vec<[f64; 3]>,
     },
 }

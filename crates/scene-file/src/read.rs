@@ -39,8 +39,9 @@ impl Scene {
         }
     }
 
-    /// Reads a scene that is part of the program, and so are the files that it names: of all these files, with what is
-    /// in them, the one called `name`.
+    /// Reads a scene that is part of the program, and so are the files that it names: of all these files,
+    /// with what is in them, the one called `name`. It is NFF if that ends in `.nff`, in small letters; else
+    /// TOML.
     ///
     /// Errors as those of [`Scene::read`].
     pub fn built_in(name: &str, files: &[(&str, &[u8])]) -> Result<Scene, Error> {

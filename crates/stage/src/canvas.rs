@@ -10,8 +10,9 @@ use crate::{Color, Error, font};
 
 /// A picture in the making.
 ///
-/// Pixels are set with [`shade`](Canvas::shade). Lines and labels are drawn in units that the stage
-/// chooses with [`fit`](Canvas::fit), y downward, so that a drawing looks the same at every size.
+/// Pixels are set with [`shade`](Canvas::shade), which leaves nothing of what was drawn before. Lines and
+/// labels are drawn in units that the stage chooses with [`fit`](Canvas::fit), y downward, so that a drawing
+/// looks the same at every size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canvas {
     pixels: Pixmap,
@@ -43,7 +44,7 @@ impl Pen {
         Pen { color, width, dash: 0.0 }
     }
 
-    /// A dashed line.
+    /// A dashed line, its dashes and gaps 5 drawing units long.
     pub fn dashed(color: Color, width: f32) -> Pen {
         Pen { color, width, dash: 5.0 }
     }
@@ -212,7 +213,7 @@ impl Canvas {
     /// Letters smaller than this many pixels cannot be read and are left out.
     const SMALLEST_LETTERS: f64 = 5.0;
 
-    /// Whether letters of this size can be read in this picture.
+    /// Whether letters of this size, in drawing units, can be read in this picture: at 5 pixels or more.
     pub fn is_readable(&self, size: f32) -> bool {
         f64::from(size) * self.fit.scale >= Self::SMALLEST_LETTERS
     }

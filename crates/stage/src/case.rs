@@ -59,7 +59,8 @@ impl Case<'_> {
 }
 
 impl About {
-    /// A case as a row of a case file, in numbers that read back to the same values of the precision.
+    /// A case, a number for each of [`About::inputs`], as a row of a case file, in numbers that read back to
+    /// the same values of the precision. A word that there is not stays empty.
     pub fn row_of(&self, case: &[f64], precision: Precision) -> String {
         let field = |(name, &number): (&&str, &f64)| match (words_of(self.words, name), precision) {
             (Some(words), _) => words.get(number as usize).copied().unwrap_or_default().to_string(),
@@ -75,7 +76,8 @@ pub(crate) fn words_of(words: &[Words], column: &str) -> Option<&'static [&'stat
     words.iter().find(|(name, _)| *name == column).map(|(_, words)| *words)
 }
 
-/// One result row: values by the names of their columns. A column without a value stays empty.
+/// One result row: values by the names of their columns. A column without a value stays empty; one that the
+/// stage does not write is left out, and of one that is set twice the first value stands.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row(Vec<(&'static str, String)>);
 

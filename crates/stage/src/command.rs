@@ -268,7 +268,8 @@ pub fn report(shown: &Shown, picture: &Path, json: bool) -> String {
     }
 }
 
-/// What a parsed command line of a stage asks of `show`.
+/// What a parsed command line of a stage asks of `show`. `matches` are those of the whole line, read as
+/// `command_line` says for the same stage, and not those of a verb.
 pub fn asked(about: &About, matches: &ArgMatches) -> Ask {
     let name = |flag| matches.get_one::<String>(flag).map(String::as_str);
     let method = about.methods.iter().position(|method| Some(*method) == name("method")).unwrap_or(0);

@@ -68,7 +68,7 @@ pub trait Figure: Default {
     fn answer<R: Real>(&self, method: usize) -> String;
 }
 
-/// The steps that a chapter's `explain` writes: those of the first section.
+/// The steps that a chapter's `explain` writes: those of the first section, none where it opens none.
 pub fn first_steps<R: Real>(explain: impl FnOnce(&mut Transcript)) -> Section {
     let mut transcript =
         Transcript { stage: "figure", method: "figure", precision: R::NAME, sections: Vec::new() };

@@ -19,7 +19,7 @@ pub trait Inspect {
     /// The picture's columns and rows.
     fn size(&self) -> (u32, u32);
 
-    /// The pixel that the page begins with.
+    /// The pixel that the page begins with: column and row.
     fn first(&self) -> (u32, u32);
 
     /// What lies below every drawing: the elements of a [`Sketch`](crate::Sketch), or nothing.

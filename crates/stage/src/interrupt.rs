@@ -128,7 +128,7 @@ fn remove(place: &Path) {
 pub struct Scratch(Unfinished<'static>);
 
 impl Scratch {
-    /// The folder that `make` makes and names.
+    /// The folder that `make` makes and names. The error is that of `make`.
     pub fn new(make: impl FnOnce() -> io::Result<PathBuf>) -> io::Result<Scratch> {
         UNFINISHED.begin_folder(make).map(Scratch)
     }

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::View;
 use crate::figure::hundredths;
 
-/// The frame of every sketch, in drawing units: columns and rows.
+/// The frame of every sketch, in drawing units: width and height. A place in it is counted from its top left,
+/// y downward.
 pub const SKETCH: (u32, u32) = (480, 320);
 /// The border that stays free around the plane, in drawing units.
 const BORDER: f32 = 12.0;
@@ -84,7 +85,8 @@ impl Sketch {
         self.stroke(from, to, ink, false, 1.0)
     }
 
-    /// A line with a head at `to`, where that is within the frame. Its width is `weight`, from 0 to 1.
+    /// A line with a head at its end: at `to`, or where the frame cuts it off. One shorter than a head has
+    /// none. The smaller `weight` is, from 1 down to 0, the thinner the line; at 1 it is like any other.
     pub fn arrow(&mut self, from: Place, to: Place, ink: Ink, weight: f64) -> &mut Sketch {
         self.stroke(from, to, ink, true, weight)
     }

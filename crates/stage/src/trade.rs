@@ -29,7 +29,7 @@ pub struct TradeAsk {
 }
 
 impl TradeAsk {
-    /// Nothing is left out: every method, both precisions, every regime.
+    /// Nothing is left out: every method, both precisions, every regime, and those are the stage's own.
     pub fn is_for_all(&self) -> bool {
         self.method.is_none() && self.precision.is_none() && self.regimes.is_empty() && self.scene.is_none()
     }

@@ -97,7 +97,7 @@ impl Section {
         self
     }
 
-    /// Says what the last step decides.
+    /// Says what the last step decides; nothing where there is no step.
     pub fn note(&mut self, note: impl Into<String>) -> &mut Section {
         if let Some(step) = self.steps.last_mut() {
             step.note = note.into();
@@ -112,7 +112,7 @@ impl Section {
         self
     }
 
-    /// Ends the table after so many rows where it is text.
+    /// Ends the table after so many rows where it is text; nothing where no table is set yet.
     pub fn rows_in_text(&mut self, most: usize) -> &mut Section {
         if let Some(table) = &mut self.table {
             table.in_text = most;

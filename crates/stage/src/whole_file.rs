@@ -93,7 +93,8 @@ pub(crate) fn try_at(path: &Path) -> Result<(), Error> {
 /// Whether files can be written beside `path`: for a long task, to find out before it is done. Nothing is
 /// left behind.
 ///
-/// [`Error::Failed`] as [`write_whole`] would give it.
+/// [`Error::Failed`] where they cannot. What stands at `path` itself is not looked at, and a symbolic link
+/// there is not followed: [`write_whole`] may refuse it still.
 pub fn try_beside(path: &Path) -> Result<(), Error> {
     let tried = begin_beside(path).and_then(|(unfinished, _)| unfinished.discard());
     tried.map_err(|error| Error::Failed(format!("cannot write {}: {}", path.display(), reason(path, &error))))

@@ -51,8 +51,9 @@ pub fn trade_drawing(name: &str) -> String {
 /// Runs the stages, writes `NAME.png` and `trade/NAME.svg` for each and `index.html` into `folder`, and
 /// prints the transcripts, the pictures and the gallery's place, in the order given.
 ///
-/// The error of a stage; [`Error::Failed`] where a thread cannot be had or a file cannot be written. The
-/// files come first: a reader who leaves after one line, as `head` does, still finds them all.
+/// The error of a stage; [`Error::Failed`] where a thread cannot be had or a file cannot be written;
+/// [`Error::PipeClosed`] where nobody reads the output. The files come first: a reader who leaves after one
+/// line, as `head` does, still finds them all.
 pub fn run(stages: &[&dyn Stage], folder: &Path, output: &mut dyn Write) -> Result<(), Error> {
     let finished = show_all(stages, folder)?;
     write_drawings(&finished, folder)?;

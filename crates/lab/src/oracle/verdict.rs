@@ -18,7 +18,7 @@ pub enum Verdict {
     Hit {
         /// The smallest root ≥ 0.
         t: ExactRoot,
-        /// Where the line leaves the body; `None` for a surface without an inside.
+        /// Where the line leaves a wall or a sphere; `None` for everything else, which has no t_out.
         out: Option<ExactRoot>,
     },
 }
