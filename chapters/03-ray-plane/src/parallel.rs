@@ -29,7 +29,7 @@ pub fn parallel<R: Real>(ray: &Ray3<R>, plane: &Plane<R>) -> Option<Parallel> {
     exactly(n, u, p_r, p_0)
 }
 
-/// Whether n · u_r ≠ 0 for certain, from its sum as computed and that of the magnitudes.
+/// Whether a sum is certainly not zero, as it was computed, next to the sum of the magnitudes.
 #[inline(always)]
 fn surely_crosses(sum: f64, size: f64) -> bool {
     sum.abs() > ERROR * size && sum.abs() > SMALLEST_SAFE

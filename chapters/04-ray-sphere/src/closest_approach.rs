@@ -18,13 +18,13 @@ pub struct ClosestApproach<R: Real> {
     pub length: R,
     /// The unit direction.
     pub u_r: R::Vec3,
-    /// u_r · (c − p_r), where along the ray the center is nearest, as a distance.
+    /// Where along the ray the center is nearest, as a distance.
     pub t_close: R,
     /// The point there. (The page writes p_r + t u_r; it means t_close.)
     pub x_close: R::Vec3,
     /// Its distance from the center.
     pub d: R,
-    /// √(r² − d²), half the chord: from x_close to the surface either way. `None` where d > r, a miss.
+    /// Half the chord: from x_close to the surface either way. `None` where d > r, a miss.
     pub a: Option<R>,
 }
 

@@ -25,7 +25,7 @@ pub struct Shortcut<R: Real> {
     pub u_r: R::Vec3,
     /// L = c − p_r, from the origin to the center.
     pub l: R::Vec3,
-    /// u_r · L, where along the ray the center is nearest, as a distance.
+    /// Where along the ray the center is nearest, as a distance.
     pub t_close: R,
     /// d² = L · L − t_close², the square of the distance there. Rounding can make it negative.
     pub d_squared: R,

@@ -15,8 +15,8 @@ pub struct Found<R: Real> {
     pub n: R::Vec3,
     /// A⁻ᵀ n, the normal of the deformed object (11.6.1, Eq. 2), of any length.
     pub a_inverse_transposed_n: R::Vec3,
-    /// The point in the world: r(λ*) = a + λ* d, or by the robust method A r′(λ*) + t where the sum with t
-    /// adds the smaller vector.
+    /// The point in the world: r(λ*) = a + λ* d, or, by the robust method, the image of the point in the object's space
+    /// where that is the better one.
     pub point: R::Vec3,
 }
 

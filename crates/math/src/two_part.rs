@@ -38,14 +38,11 @@ pub fn fast_two_sum(a: f64, b: f64) -> TwoPart {
 
 /// a · b exactly: the rounded product and its rounding error.
 ///
-/// With fused multiply-add compiled in, the error is one instruction; without, Dekker splits each
-/// factor into halves of 26 bits, whose products are exact. Both give the same two numbers, for factors
-/// in the range named above.
+/// Dekker splits each factor into halves of 26 bits, whose products are exact. Where there is a fused multiply-add the
+/// error is one instruction, and the same number for factors in the range named above. Outside it is another, so it is
+/// not taken: what is worked out must not depend on the processor.
 pub fn two_product(a: f64, b: f64) -> TwoPart {
     let hi = a * b;
-    if cfg!(target_feature = "fma") {
-        return TwoPart { hi, lo: a.mul_add(b, -hi) };
-    }
     let (a_hi, a_lo) = halves(a);
     let (b_hi, b_lo) = halves(b);
     TwoPart { hi, lo: ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo }
