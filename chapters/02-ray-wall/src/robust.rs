@@ -282,4 +282,11 @@ mod tests {
     fn right_in_every_regime() {
         assert_eq!(lab::first_beyond(&crate::stage::RayWall, 1, 300, |_, _| 1), None);
     }
+
+    /// What it is worth in every regime, counted: see [`lab::tally()`].
+    #[cfg(feature = "stage")]
+    #[test]
+    fn how_good() {
+        insta::assert_snapshot!(lab::tally(&crate::stage::RayWall, 1, 200, |_, _| "rays".to_string()));
+    }
 }

@@ -193,4 +193,22 @@ mod tests {
     fn right_in_every_regime() {
         assert_eq!(lab::first_beyond(&crate::stage::Quadric, 1, 300, |_, _| 1), None);
     }
+
+    /// Which way the rays of every regime take, and how good it is: see [`lab::tally()`].
+    #[cfg(feature = "stage")]
+    #[test]
+    fn ways() {
+        use stage::Precision;
+
+        fn way<R: Real>(case: [f64; 7]) -> String {
+            let (ray, shape) = crate::measure::question(case.map(R::round_from));
+            let work = robust(&ray, shape);
+            format!("{:?} {:?}", work.certainty, work.lambda_certainty)
+        }
+        let way = |case, precision| match precision {
+            Precision::F32 => way::<f32>(case),
+            Precision::F64 => way::<f64>(case),
+        };
+        insta::assert_snapshot!(lab::tally(&crate::stage::Quadric, 1, 200, way));
+    }
 }

@@ -80,12 +80,18 @@ fn done(ended: io::Result<()>) -> ExitCode {
     }
 }
 
-/// `cargo test`: the rows of one property, by its name. A property that the sheet does not have passes.
+/// `cargo test`: the rows of one property, by its name.
 ///
 /// # Panics
-/// Where a value is wrong, with what was expected, and where `work` has no sheet. (A test fails by a panic.)
+/// Where a value is wrong, with what was expected, and where `work` has no sheet or its sheet no such property.
+/// (A test fails by a panic.)
 pub fn test(work: Work, property: &str) {
     let sheet = sheet(work).expect("the hand-out's own expected.txt is whole");
+    let known = sheet.properties.iter().any(|it| it.name == property);
+    assert!(
+        known,
+        "expected.txt has no property `{property}`: take its line from the file as it was handed out"
+    );
     for (number, row) in sheet.rows.iter().enumerate() {
         if sheet.properties[row.property].name == property {
             let answer = run(work.probe, &sheet.case(number));
@@ -167,6 +173,15 @@ mod tests {
         let text = shown(asks);
         assert!(text.contains("asks:\n  What is twice x?"), "{text}");
         assert!(text.contains("program.rs:"), "{text}");
+    }
+
+    #[test]
+    #[should_panic(expected = "no property `postive`")]
+    fn a_property_that_is_none_does_not_pass() {
+        let probe = |case: &Case, steps: &mut Steps| {
+            steps.number("y", "2 x", case.number("x") * 2.0);
+        };
+        test(Work { sheet: SHEET, probe }, "postive");
     }
 
     #[test]

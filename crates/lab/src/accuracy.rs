@@ -186,6 +186,12 @@ impl Ulps {
         })
     }
 
+    /// How many errors are 0, 1, 2, and more.
+    pub(crate) fn up_to_three(&self) -> [u64; 4] {
+        let [zero, one, two] = [0, 1, 2].map(|ulps| self.counts.get(&ulps).copied().unwrap_or(0));
+        [zero, one, two, self.total - zero - one - two]
+    }
+
     /// The largest. `None` where there is none.
     pub fn max(&self) -> Option<u64> {
         (self.total > 0).then_some(self.max)

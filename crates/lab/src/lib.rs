@@ -9,7 +9,8 @@
 //!
 //! What was found is printed as a [`table`] and drawn as a [`plot`]: speed against accuracy, or where in a
 //! plane of two quantities a method fails ([`cells`]). [`scenes`] is what the chapters share that measure in
-//! scenes instead of regimes. In a chapter's own tests [`first_beyond`] holds a method to what it promises.
+//! scenes instead of regimes. In a chapter's own tests [`first_beyond`] holds a method to what it promises, and [`tally()`]
+//! counts the ways that it takes.
 //!
 //! A sphere of radius 5 around (0, 0, 13), touched by a ray up from (5, 0, 0), and missed by the next number's:
 //!
@@ -37,6 +38,7 @@ pub mod scenes;
 mod speed;
 mod subject;
 pub mod table;
+mod tally;
 mod threads;
 mod truth;
 mod verdict;
@@ -53,5 +55,6 @@ pub use regime::{Notes, Regime};
 pub use speed::{LONGEST_PASS, Nanoseconds, runner, time};
 pub use stage::Progress;
 pub use subject::{Answer, Outcome, Pass, Quality, Runner, Subject};
+pub use tally::tally;
 pub use threads::on_all_threads;
 pub use truth::{Root, Truth};

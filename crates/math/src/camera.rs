@@ -69,9 +69,9 @@ impl<R: Real> Camera<R> {
     /// units of the scene) from the view plane.
     ///
     /// `forward` and `up` may have any length but zero, and any angle but 0° and 180°:
-    /// [`Degenerate::ZeroDirection`] where one of them is zero or `up`, at unit length, is `forward` or its
-    /// opposite, [`Degenerate::NotFinite`] where a number of any argument is infinite or NaN. (An `up` that
-    /// runs along `forward` but for roundings may pass, and then u and v mean nothing.)
+    /// [`Degenerate::ZeroDirection`] where one of them is zero or `up` runs along `forward` or against it, as
+    /// far as can be told from numbers that were rounded, [`Degenerate::NotFinite`] where a number of any
+    /// argument is infinite or NaN.
     pub fn looking(
         e: R::Vec3,
         forward: R::Vec3,
@@ -93,7 +93,11 @@ impl<R: Real> Camera<R> {
             Handedness::Right => R::cross(w, up),
             Handedness::Left => R::cross(up, w),
         };
-        if across.is_zero() {
+        // ‖w × up‖ is the sine of the angle between them. Each is rounded three times, when it is written down
+        // and by two divisions; two products and their difference add as much as two more. A sine of no more
+        // than those eight roundings may be zero in truth.
+        let eight_roundings = R::from(8.0 / (1_u64 << R::DIGITS) as f32);
+        if across.length() <= eight_roundings {
             return Err(Degenerate::ZeroDirection);
         }
         let u = across.normalized();
@@ -160,8 +164,26 @@ mod tests {
 
     #[test]
     fn up_along_forward_is_no_frame() {
-        let up = DVec3::Z * 2.0;
-        let camera = Camera::<f64>::looking(DVec3::ZERO, DVec3::Z, up, Handedness::Right, 1.0, UNIT);
+        let looking =
+            |forward, up| Camera::<f64>::looking(DVec3::ZERO, forward, up, Handedness::Right, 1.0, UNIT);
+        assert_eq!(looking(DVec3::Z, DVec3::Z * 2.0), Err(Degenerate::ZeroDirection));
+        // the decimals 0.1, 0.2, 0.3 run along 1, 2, 3; the numbers nearest to them do not quite
+        let [up, forward] = [DVec3::new(0.1, 0.2, 0.3), DVec3::new(1.0, 2.0, 3.0)];
+        assert_ne!(up.normalize().cross(forward.normalize()), DVec3::ZERO);
+        for forward in [forward, -forward, forward * 1e-300] {
+            assert_eq!(looking(forward, up), Err(Degenerate::ZeroDirection));
+        }
+        // 0.1 f32 is farther from a tenth
+        let [up, forward] = [glam::Vec3::new(0.1, 0.2, 0.3), glam::Vec3::new(1.0, 2.0, 3.0)];
+        let window = Window { left: -0.5, right: 0.5, bottom: -0.5, top: 0.5 };
+        let camera = Camera::<f32>::looking(glam::Vec3::ZERO, forward, up, Handedness::Left, 1.0, window);
         assert_eq!(camera, Err(Degenerate::ZeroDirection));
+    }
+
+    #[test]
+    fn up_next_to_forward_is_one() {
+        let up = DVec3::new(0.0, 1e-15, 1.0);
+        let camera = Camera::<f64>::looking(DVec3::ZERO, DVec3::Z, up, Handedness::Left, 1.0, UNIT).unwrap();
+        assert_eq!((camera.u, camera.v, camera.w), (DVec3::X, DVec3::Y, DVec3::Z));
     }
 }

@@ -193,3 +193,21 @@ fn right_in_every_regime() {
     let allowed = |_: &_, precision: Precision| if precision == F32 { 1 } else { 2 };
     assert_eq!(lab::first_beyond(&crate::stage::RayPlane, 1, 300, allowed), None);
 }
+
+/// Which way the rays of every regime take, and how good it is: see [`lab::tally()`].
+#[cfg(feature = "stage")]
+#[test]
+fn ways() {
+    use stage::Precision;
+
+    fn way<R: Real>(case: [f64; 12]) -> String {
+        let (ray, plane) = crate::measure::question(case.map(R::round_from));
+        let work = robust(&ray, &plane);
+        format!("{:?} {:?}", work.n_dot_p.certainty, work.n_dot_u.certainty)
+    }
+    let way = |case, precision| match precision {
+        Precision::F32 => way::<f32>(case),
+        Precision::F64 => way::<f64>(case),
+    };
+    insta::assert_snapshot!(lab::tally(&crate::stage::RayPlane, 1, 200, way));
+}

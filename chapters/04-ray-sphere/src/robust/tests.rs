@@ -122,3 +122,20 @@ fn right_in_every_regime() {
     let allowed = |_: &_, precision: Precision| if precision == F32 { 1 } else { 9 };
     assert_eq!(lab::first_beyond(&crate::stage::RaySphere, 5, 300, allowed), None);
 }
+
+/// Which way the rays of every regime take, and how good it is: see [`lab::tally()`].
+#[cfg(feature = "stage")]
+#[test]
+fn ways() {
+    use stage::Precision;
+
+    fn way<R: Real>(case: [f64; 10]) -> String {
+        let (ray, sphere) = crate::measure::question(case.map(R::round_from));
+        format!("{:?}", robust(&ray, &sphere).chord.certainty)
+    }
+    let way = |case, precision| match precision {
+        Precision::F32 => way::<f32>(case),
+        Precision::F64 => way::<f64>(case),
+    };
+    insta::assert_snapshot!(lab::tally(&crate::stage::RaySphere, 5, 200, way));
+}

@@ -268,3 +268,20 @@ fn no_hit_has_a_number_that_is_none() {
 fn right_in_every_regime() {
     assert_eq!(lab::first_beyond(&crate::stage::RayTriangle, 2, 300, |_, _| 1), None);
 }
+
+/// Which way the rays of every regime take, and how good it is: see [`lab::tally()`].
+#[cfg(feature = "stage")]
+#[test]
+fn ways() {
+    use stage::Precision;
+
+    fn way<R: Real>(case: [f64; 15]) -> String {
+        let (ray, triangle) = crate::measure::question(case.map(R::round_from));
+        format!("{:?}", robust(&ray, &triangle).certainty)
+    }
+    let way = |case, precision| match precision {
+        Precision::F32 => way::<f32>(case),
+        Precision::F64 => way::<f64>(case),
+    };
+    insta::assert_snapshot!(lab::tally(&crate::stage::RayTriangle, 2, 200, way));
+}

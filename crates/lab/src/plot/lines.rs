@@ -92,7 +92,7 @@ fn ring_marks(svg: &mut Svg, plot: &LinePlot, at: impl Fn((f64, f64)) -> (f64, f
         let above = y - 14.0;
         let line = if x - half < right_of_last { above.min(last_line - 18.0) } else { above };
         svg.circle((x, y), 7.0, None, Stroke::solid(INK, 2.0));
-        svg.text((x, line), Letters::new(15.0, INK).at(Anchor::Middle), word);
+        svg.text_over_lines((x, line), Letters::new(15.0, INK).at(Anchor::Middle), word);
         (right_of_last, last_line) = (right_of_last.max(x + half + 6.0), line);
     }
 }

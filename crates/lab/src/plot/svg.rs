@@ -89,6 +89,15 @@ impl Svg {
         self.marked_up(place, letters, "", &escaped(text));
     }
 
+    /// A line of text with a white rim, which can be read where lines run under it.
+    pub(super) fn text_over_lines(&mut self, place: Point, letters: Letters, text: &str) {
+        let rim = format!(
+            " stroke=\"{}\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+            hex(Color::WHITE)
+        );
+        self.marked_up(place, letters, &rim, &escaped(text));
+    }
+
     /// A line of text that reads upward.
     pub(super) fn upward_text(&mut self, place: Point, letters: Letters, text: &str) {
         let rotation = format!(" transform=\"rotate(-90 {} {})\"", number(place.0), number(place.1));
