@@ -167,6 +167,9 @@ impl Drawing {
             marks.push((roots.near, Anchor::Right, Color::VERMILLION));
             marks.push((roots.far, Anchor::Left, Color::VERMILLION));
         }
+        // Where t = 1 is next to where the ray leaves the wall, their labels are on either side of the ray.
+        let place = |t: R| self.view.at(numbers::<R>(ray.at(t)));
+        let is_crowded = marks.len() == 3 && View::apart(place(marks[0].0), place(marks[2].0)) < 70.0;
         for (t, anchor, color) in marks {
             let point = numbers::<R>(ray.at(t));
             let at = self.view.at(point);
@@ -177,7 +180,8 @@ impl Drawing {
             self.canvas.disc(at, 4.5, color);
             // The label stands on the side of the ray where nothing is drawn.
             let dx = if anchor == Anchor::Right { -9.0 } else { 9.0 };
-            let dy = if down == (anchor == Anchor::Right) { 20.0 } else { -9.0 };
+            let other_side = is_crowded && color == Color::GRAY;
+            let dy = if down == ((anchor == Anchor::Right) != other_side) { 20.0 } else { -9.0 };
             let text = format!("t = {}", short(t));
             self.canvas.plate((at.0 + dx, at.1 + dy), anchor, 14.0, Color::BLACK, &text);
         }

@@ -79,8 +79,8 @@ impl Chapter for RayWall {
 
 /// The method's own steps, from its own struct.
 pub(crate) fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray2<R>, wall: &Wall<R>) {
-    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
-    let title = format!("ray-wall · {} · {} · {from} → {to}", method.name(), R::NAME);
+    let [from, along] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
+    let title = format!("ray-wall · {} · {} · {from} + t {along}", method.name(), R::NAME);
     let work = method.work(ray, wall);
     let source = if method == Method::Notes { "House 4.2" } else { "House 4.2, robust.rs" };
     let section = transcript.section(title, source);

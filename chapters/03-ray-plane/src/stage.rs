@@ -79,8 +79,8 @@ impl Chapter for RayPlane {
 
 /// The method's own steps, from its own struct.
 pub(crate) fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>, plane: &Plane<R>) {
-    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
-    let title = format!("ray-plane · {} · {} · {from} → {to}", method.name(), R::NAME);
+    let [from, along] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
+    let title = format!("ray-plane · {} · {} · {from} + t {along}", method.name(), R::NAME);
     let source = if method == Method::Notes { "House 4.3, Eq. 4.2" } else { "Eq. 4.2, robust.rs" };
     let section = transcript.section(title, source);
     section
@@ -186,7 +186,7 @@ fn three_questions<R: Real>(transcript: &mut Transcript, method: Method) {
         ("down to the ground", 1.0, -0.25),
         ("up and away", 1.0, 0.25),
         ("up, from below", -1.0, 0.25),
-        ("along the ground from on it", 0.0, -0.25),
+        ("down, from on the ground", 0.0, -0.25),
         ("parallel, above", 1.0, 0.0),
         ("parallel, below", -1.0, 0.0),
         ("within the plane", 0.0, 0.0),

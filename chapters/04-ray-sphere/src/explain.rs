@@ -13,9 +13,9 @@ pub(crate) fn explain<R: Real>(
     ray: &Ray3<R>,
     painted: &Painted<R>,
 ) {
-    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector(v).to_text());
+    let [from, along] = [ray.origin, ray.direction].map(|v| Value::vector(v).to_text());
     let name = method.name();
-    let title = format!("ray-sphere · {name} · {} · {from} → {to}", R::NAME);
+    let title = format!("ray-sphere · {name} · {} · {from} + t {along}", R::NAME);
     let sphere = painted.sphere;
     let (source, center) = match method {
         Method::ClosestApproach => ("House 4.4", "c"),
@@ -89,6 +89,9 @@ fn closest_approach_steps<R: Real>(section: &mut Section, work: &ClosestApproach
     let Some(roots) = work.distances() else { return };
     section.step("a", "√(r² − d²)", Value::maybe(work.a));
     root_taken(section, roots, ["t_close − a", "t_close + a"], "the nearer of t_close ± a");
+    if let Ok(Some(hit)) = work.hit(Span::ahead()) {
+        section.number("t / ‖D‖", "in lengths of D", hit.t).note("as all methods answer");
+    }
     hit_steps(section, &work.sphere, work.hit(Span::ahead()), ["p_r + t u_r", "(x_hit − c) / r", "c"]);
 }
 

@@ -29,8 +29,8 @@ pub(crate) fn one_method<R: Real>(
     ray: &Ray3<R>,
     triangle: &Triangle<R>,
 ) {
-    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
-    let title = format!("triangle · {} · {} · {from} → {to}", method.name(), R::NAME);
+    let [from, along] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
+    let title = format!("triangle · {} · {} · {from} + λ {along}", method.name(), R::NAME);
     let source = if method == Method::Robust { "robust.rs" } else { "CSC418 11.3.1" };
     let section = transcript.section(title, source);
     section

@@ -101,7 +101,7 @@ pub(crate) fn text(volleys: &[Volley]) -> String {
     }
     format!(
         "Leaks: rays from inside a closed ball of {faces} triangles, aimed at its edges and at its vertices, that meet no \
-         triangle at all, in a million.\n{count} rays each; the picture is leaks.png.\n{}",
+         triangle at all, in a million.\n{count} rays each; the drawing that ends in -leaks.png shows where.\n{}",
         aligned(&lines, &vec![false; lines.len() - 1])
     )
 }

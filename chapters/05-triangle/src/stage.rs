@@ -21,7 +21,7 @@ impl Chapter for RayTriangle {
             size: (720, 540),
             picture: "A triangle in its barycentric colors; a concave star with test rays, and a pentagram by even-odd and \
                       by winding; and a closed ball shot from inside at its edges: where a ray slips through, there is \
-                      a large red dot.",
+                      a large orange dot.",
             flags: &[],
             inputs: &[
                 "ox", "oy", "oz", "dx", "dy", "dz", "ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz",
@@ -31,7 +31,7 @@ impl Chapter for RayTriangle {
             trade: "The page's two ways against the one whose verdict is exact, in regimes from ordinary numbers to \
                     their ends: nanoseconds a ray, wrong verdicts, and how far t, the point and the normal are off. \
                     Draws the two against each other, a panel a regime (trade.svg), and counts the rays that leak out \
-                    of a closed ball (leaks.png).",
+                    of a closed ball (…-leaks.png).",
             regimes: regimes().iter().map(|regime| (regime.name, regime.what)).collect(),
         }
     }

@@ -17,13 +17,13 @@ pub(crate) use tries::tries;
 
 /// The method's own steps, from its own struct; then the hit, its normal and its residual.
 pub(crate) fn explain<R: Real>(transcript: &mut Transcript, method: Method, ray: &Ray3<R>, shape: Shape) {
-    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector(v).to_text());
+    let [from, along] = [ray.origin, ray.direction].map(|v| Value::vector(v).to_text());
     let (name, solid) = (method.name(), shape.name());
     let source = match method {
         Method::Notes => "CSC418 11.3.5",
         Method::Robust => "robust.rs",
     };
-    let title = format!("quadric · {name} · {} · the {solid} · {from} → {to}", R::NAME);
+    let title = format!("quadric · {name} · {} · the {solid} · {from} + λ {along}", R::NAME);
     let section = transcript.section(title, source);
     section.vector("ā", "where the ray starts", ray.origin).vector("d⃗", "its direction", ray.direction);
     let work = method.work(ray, shape);

@@ -23,8 +23,8 @@ pub(crate) fn explain<R: Real>(
     placed: &Placed<R>,
 ) {
     let deformed = &placed.deformed;
-    let [from, to] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
-    let title = format!("affine · {} · {} · {from} → {to}", method.name(), R::NAME);
+    let [from, along] = [ray.origin, ray.direction].map(|v| Value::vector::<R>(v).to_text());
+    let title = format!("affine · {} · {} · {from} + λ {along}", method.name(), R::NAME);
     let source = match method {
         Method::Notes => "CSC418 11.3.4",
         Method::Solved => "CSC418 11.3.4, solved.rs",

@@ -9,7 +9,7 @@ use stage::{Ask, Chapter, Precision, Section, Value};
 use crate::picture::lighting;
 use crate::render::{Rendered, Seen, render};
 use crate::stage::Shading;
-use crate::{Scene, Start, from_file, layout, own};
+use crate::{Rgb, Scene, Start, from_file, layout, own};
 
 /// The value of the last step of that name.
 fn value(sections: &[Section], symbol: &str) -> Option<Value> {
@@ -141,4 +141,32 @@ fn odd_lights_are_no_trouble() {
             }
         }
     }
+}
+
+/// What a small picture of the chapter's scene takes and shows, wherever its second rays start: the rays, the tests, and the
+/// sums of all pixels, term by term, to their last digits.
+#[test]
+fn what_a_picture_takes() {
+    fn lines<R: Real>() -> String {
+        let scene = from_file::scene::<R>(&own::file().unwrap(), Some((64, 48))).unwrap();
+        let line = |start: Start| {
+            let Rendered { pixels, work, .. } = rendered(&scene, start, 2);
+            let sum = |term: fn(&Seen) -> Rgb| {
+                pixels.iter().fold([0.0; 3], |sum: [f64; 3], seen| {
+                    let term = term(seen).0;
+                    [sum[0] + term[0], sum[1] + term[1], sum[2] + term[2]]
+                })
+            };
+            let [ambient, diffuse, specular] =
+                [sum(|it| it.ambient), sum(|it| it.diffuse), sum(|it| it.specular)];
+            format!(
+                "{} {}: {work:?}\n  E {:?}\n  ambient {ambient:?}, diffuse {diffuse:?}\n  specular {specular:?}\n",
+                start.name(),
+                R::NAME,
+                sum(|it| it.e)
+            )
+        };
+        Start::ALL.into_iter().map(line).collect()
+    }
+    insta::assert_snapshot!(lines::<f64>() + &lines::<f32>());
 }

@@ -7,7 +7,7 @@ use scene_file::{At, Light, Scene as File};
 use signature::Method;
 
 use crate::render::{Rendered, render};
-use crate::{Requirements, Tolerance, Tracer, from_file};
+use crate::{Counts, Requirements, Tolerance, Tracer, from_file};
 
 /// The scenes of chapter 08 by name.
 pub(crate) const OF_CHAPTER_08: [&str; 11] = [
@@ -77,4 +77,26 @@ pub(crate) fn picture<R: Real>(
     let tolerance = tolerance.map(|e| Tolerance::new(&scene, e));
     let tracer = Tracer::new(&scene, &bounded, &required, tolerance);
     render(&tracer, size, 1, Some(2), None).unwrap()
+}
+
+/// What a small picture of each of them takes and shows: the rays by kind, the tests, and the sum of all pixels, to its last
+/// digit.
+#[test]
+fn what_a_picture_takes() {
+    fn line<R: Real>(name: &str, file: &File) -> String {
+        let Rendered { radiance, counts, .. } = picture::<R>(file, Method::Robust, 5, |it| it, None);
+        let sum = |channel: usize| radiance.iter().map(|e| e.0[channel]).sum::<f64>();
+        let Counts { eye, shadow, mirror, refracted, left_out, search } = counts;
+        let bounds::Counts { boxes, tests, hits } = search;
+        format!(
+            "{name} {}: {eye} eye, {shadow} shadow, {mirror} mirror, {refracted} refracted, {left_out} left out; {boxes} boxes, \
+             {tests} tests, {hits} hits\n  E {:?}, {:?}, {:?}\n",
+            R::NAME,
+            sum(0),
+            sum(1),
+            sum(2)
+        )
+    }
+    let of = |(name, file): (String, File)| line::<f32>(&name, &file) + &line::<f64>(&name, &file);
+    insta::assert_snapshot!(all().into_iter().map(of).collect::<String>());
 }

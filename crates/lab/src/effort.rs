@@ -22,7 +22,7 @@ impl Effort {
     pub fn of(ask: &TradeAsk, regimes: usize) -> Effort {
         let share = |seconds: f64| Duration::from_secs_f64(seconds / (2 * regimes.max(1)) as f64);
         let (cases, timed, rounds, allowed) =
-            if ask.quick { (500, 4096, 21, share(1.0)) } else { (20_000, 8192, 201, share(30.0)) };
+            if ask.quick { (500, 8192, 21, share(1.0)) } else { (20_000, 8192, 201, share(30.0)) };
         Effort { cases: ask.cases.unwrap_or(cases), timed, rounds, allowed }
     }
 }

@@ -157,3 +157,34 @@ fn as_much_is_tested_as_the_bounds_leave_over() {
         assert_eq!(counted, counts, "{}", method.name());
     }
 }
+
+/// What every bound asks and what it saves, in scenes of chapter 08, by both formulas: how many of 400 rays of the eye hit
+/// something, the bounds and the parts that were tested, and the sum of all λ to its last digit.
+#[cfg(feature = "stage")]
+#[test]
+fn what_each_bound_takes() {
+    fn lines<R: Real>(name: &str) -> String {
+        let file = signature::stage::built_in(name).unwrap();
+        let scene = signature::from_file::scene::<R>(&file, Some((64, 48))).unwrap();
+        let pixels = lab::scenes::pixels(name, 5, scene.size, 400);
+        let line = |formulas: Formulas, method: Method| {
+            let (mut counts, bounded) = (Counts::default(), Bounded::by(formulas, &scene, method));
+            let seen: Vec<First<R>> =
+                pixels.iter().filter_map(|&pixel| bounded.seen(pixel, &mut counts)).collect();
+            let lambdas: f64 = seen.iter().map(|first| first.lambda.into()).sum();
+            let Counts { boxes, tests, hits } = counts;
+            format!(
+                "{name} {} {} {}: {} seen, {boxes} boxes, {tests} tests, {hits} hits, λ {lambdas:?}\n",
+                R::NAME,
+                formulas.name(),
+                method.name(),
+                seen.len()
+            )
+        };
+        let of = |formulas| Method::ALL[1..].iter().map(move |&method| (formulas, method));
+        let both = of(Formulas::Robust).chain(of(Formulas::Notes));
+        both.map(|(formulas, method)| line(formulas, method)).collect()
+    }
+    let names = ["signature", "spheres", "teapot", "balls2", "rings2", "mount4"];
+    insta::assert_snapshot!(names.map(|name| lines::<f64>(name) + &lines::<f32>(name)).concat());
+}
