@@ -5,7 +5,7 @@
 //! ```text
 //! {{code chapters/04-ray-sphere/src/closest_approach.rs along}}      items of a source file
 //! {{show ray-sphere --pixel 170,300 | Both roots}}                   a command, and what it prints, or a section of it
-//! {{text book/src/same-bits.txt}}                                   a file as it stands
+//! {{text book/src/same-bits.txt}}                                   a file as it stands; of a snapshot what was shown
 //! {{picture ray-sphere}}                                             the picture of a stage, drawn
 //! {{figure ray-sphere}}                                              the interactive figure of a chapter
 //! {{trade ray-sphere grazing | method t_ulp_max}}                   rows and columns of what `trade` measured

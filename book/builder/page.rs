@@ -105,6 +105,11 @@ impl Filler<'_> {
             ["text", file] => {
                 let text = std::fs::read_to_string(self.root.join(file))
                     .map_err(|error| format!("{file} cannot be read: {error}"))?;
+                // a snapshot says first where it is from
+                let text = match text.strip_prefix("---\n").and_then(|rest| rest.split_once("\n---\n")) {
+                    Some((_, shown)) if file.ends_with(".snap") => shown,
+                    _ => &text,
+                };
                 Ok(format!("```text\n{text}```\n"))
             }
             ["show", words @ ..] => self.shown.markdown(self.root, words, &titles),

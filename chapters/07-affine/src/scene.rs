@@ -68,7 +68,7 @@ pub fn five<R: Real>() -> Result<[Placed<R>; 5], Degenerate> {
         },
         Placed {
             name: "triangle",
-            what: "[e1 e2 z], moved to a corner",
+            what: "its two sides and z, moved to a corner",
             deformed: Deformed::new(
                 Object::Triangle,
                 triangle([[2.0, 0.0, -0.5], [2.75, 0.25, 0.75], [3.0, 1.625, -0.25]]),

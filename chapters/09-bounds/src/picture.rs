@@ -119,6 +119,6 @@ fn scale(canvas: &mut Canvas, (_, height): (u32, u32), most: u64) {
         canvas.rectangle((x, bottom - thick), (x + 1.0, bottom), color(share), 1.0);
     }
     let mut say = |x, anchor, text: &str| canvas.label((x, bottom - 15.0), anchor, 12.0, Color::WHITE, text);
-    say(left, Anchor::Left, "0 tests");
+    say(left, Anchor::Left, "0 bounds and objects");
     say(left + length, Anchor::Right, &most.to_string());
 }

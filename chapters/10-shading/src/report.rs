@@ -79,6 +79,11 @@ fn text(measured: &[Measured], seed: u64) -> String {
              size above it all around, or the other side of the solid that they enter.\n\
              bound is judged with everything tried, and timed as it is used: what is convex and left behind is not tried again.\n\
              ★: nothing else is at least as fast here and as right over all regimes, and better in one.\n";
+    let cases = measured.iter().flat_map(|it| &it.entries).map(|entry| entry.faults.cases).max().unwrap_or(0);
+    text += &format!(
+        "{cases} rays a shape: what happens to less than one in {} may not show.\n",
+        (cases / 3).max(1)
+    );
     for it in measured {
         text += "\n";
         text += &table(it);

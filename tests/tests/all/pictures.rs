@@ -11,15 +11,13 @@
 use std::path::{Path, PathBuf};
 
 use image::{Rgb, RgbImage};
-use stage::Stage;
+use stage::{Ask, Canvas};
 use tests::{Folder, STAGES, compare};
 
 use crate::process::run;
 use crate::shown::by_default;
 
-/// The picture of a stage's default request.
-fn default_picture(stage: &dyn Stage) -> RgbImage {
-    let picture = &by_default(stage).picture;
+fn rgb(picture: &Canvas) -> RgbImage {
     let (width, height) = picture.size();
     RgbImage::from_raw(width, height, picture.to_rgb().unwrap()).expect("three bytes a pixel")
 }
@@ -34,7 +32,7 @@ fn every_stage_draws_its_committed_picture() {
     let mut failures = Vec::new();
     for stage in STAGES {
         let name = stage.about().name;
-        let picture = default_picture(*stage);
+        let picture = rgb(&by_default(*stage).picture);
         if update {
             picture.save(committed().join(format!("{name}.png"))).unwrap();
         }
@@ -48,11 +46,12 @@ fn every_stage_draws_its_committed_picture() {
 fn the_file_holds_the_picture() {
     for stage in STAGES {
         let (folder, name) = (Folder::new(), stage.about().name);
-        let shown = run(folder.path(), name, &["--out", "picture.png"]);
+        let shown = run(folder.path(), name, &["--size", "120x90", "--out", "picture.png"]);
         assert_eq!(shown.status, 0, "{}", shown.errors);
         let file = image::open(folder.path().join("picture.png")).unwrap();
         assert_eq!(file.color(), image::ColorType::Rgb8);
-        assert!(file.to_rgb8() == default_picture(*stage), "{name}");
+        let ask = Ask { size: Some((120, 90)), ..Ask::default() };
+        assert!(file.to_rgb8() == rgb(&stage.show(&ask).unwrap().picture), "{name}");
     }
 }
 

@@ -25,6 +25,16 @@ const MESSAGES: &[(&str, &str, &str)] = &[
         "the line goes on after its value",
         "begin a new line, or write `#` before a comment",
     ),
+    (
+        "missing comma between array elements",
+        "the list goes on without a comma",
+        "write `,` before this, or `]` where the list ends",
+    ),
+    (
+        "missing comma between key-value pairs",
+        "the table goes on without a comma",
+        "write `,` before this, or `}` where the table ends",
+    ),
     ("missing escaped value", "a backslash that escapes nothing", "write `\\\\`, or `/` between folders"),
     ("invalid basic string", "a string without an end", "close it with `\"`"),
     ("invalid literal string", "a string without an end", "close it with `'`"),

@@ -43,6 +43,7 @@ fn syntax() {
         "background = [1.0 1.0 1.0]\n",
         "background = [1.0, 1.0, 1.0\n",
         "background = (1.0, 1.0, 1.0)\n",
+        "[camera]\neye = [0, 1, -6\nlook_at = [0, 0, 0]\n",
         "[camera\n",
         "[camera]\n[camera]\n",
         "[camera]\ngrid = \"centers\n",
