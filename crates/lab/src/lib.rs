@@ -55,6 +55,6 @@ pub use regime::{Notes, Regime};
 pub use speed::{LONGEST_PASS, Nanoseconds, runner, time};
 pub use stage::Progress;
 pub use subject::{Answer, Outcome, Pass, Quality, Runner, Subject};
-pub use tally::tally;
+pub use tally::{glances, tally, worth};
 pub use threads::on_all_threads;
 pub use truth::{Root, Truth};

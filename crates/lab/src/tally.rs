@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use math::Real;
+use math::{Glance, Real};
 use stage::Precision;
 
 use crate::{Accuracy, Regime, Subject, Truth};
@@ -53,8 +53,44 @@ fn line<R: Real, const N: usize>(
     format!("{} {}: {}{}\n", regime.name, precision.name(), ways.join(", "), worth(&accuracy))
 }
 
-/// What the hits are worth; nothing where there is none.
-fn worth(accuracy: &Accuracy) -> String {
+/// What a glance says of `count` cases of every regime at both precisions, a line each: how often it is sure of what, and how
+/// far the λ that it tells may be off, as shares of them, in the mean.
+pub fn glances<const N: usize>(
+    subject: &impl Subject<N>,
+    count: usize,
+    glance: impl Fn([f64; N], Precision) -> Glance,
+) -> String {
+    const SEED: u64 = 12;
+    let line = |regime: &Regime<N>, precision: Precision| {
+        let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut shares = Vec::new();
+        for case in regime.cases(SEED, precision).take(count) {
+            let (kind, around) = match glance(case, precision) {
+                Glance::Misses => ("misses", vec![]),
+                Glance::Once(one) => ("once", vec![one]),
+                Glance::First(one) => ("first", vec![one]),
+                Glance::Twice(one, other) => ("twice", vec![one, other]),
+                Glance::Unsure => ("unsure", vec![]),
+            };
+            *kinds.entry(kind).or_default() += 1;
+            shares.extend(around.iter().map(|it| it.off / it.t.abs()).filter(|share| share.is_finite()));
+        }
+        let kinds: Vec<String> = kinds.iter().map(|(kind, count)| format!("{kind} {count}")).collect();
+        let off = match shares.len() {
+            0 => String::new(),
+            all => format!("; off {:.2e}", shares.iter().sum::<f64>() / all as f64),
+        };
+        format!("{} {}: {}{off}\n", regime.name, precision.name(), kinds.join(", "))
+    };
+    subject
+        .regimes()
+        .iter()
+        .flat_map(|regime| Precision::ALL.map(|precision| line(regime, precision)))
+        .collect()
+}
+
+/// What the hits are worth; nothing where there is none. See [`tally()`].
+pub fn worth(accuracy: &Accuracy) -> String {
     let mut text = match accuracy.wrong {
         0 => String::new(),
         wrong => format!("; WRONG {wrong}"),

@@ -78,3 +78,20 @@ fn a_rise_that_rounding_may_have_made_is_unsure() {
     assert_eq!(along(2.0_f64.powi(9)), Glance::Unsure);
     assert!(matches!(along(2.0_f64.powi(13)), Glance::Once(_)));
 }
+
+/// How often a glance is sure in every regime, and how near: see [`lab::glances`].
+#[cfg(feature = "stage")]
+#[test]
+fn how_sure() {
+    use stage::Precision;
+
+    fn at<R: math::Real>(case: [f64; 12]) -> math::Glance {
+        let (ray, plane) = crate::measure::question(case.map(R::round_from));
+        glance(&ray, &plane)
+    }
+    let at = |case, precision| match precision {
+        Precision::F32 => at::<f32>(case),
+        Precision::F64 => at::<f64>(case),
+    };
+    insta::assert_snapshot!(lab::glances(&crate::stage::RayPlane, 200, at));
+}

@@ -81,3 +81,20 @@ fn closed_forms() {
     assert_eq!(at([0.0; 3], -1.0), Glance::Misses, "behind the origin, as far as a ray is concerned");
     assert_eq!(at([1.0, 0.0, 0.0], 1.0), Glance::Unsure);
 }
+
+/// How often a glance is sure in every regime, and how near: see [`lab::glances`].
+#[cfg(feature = "stage")]
+#[test]
+fn how_sure() {
+    use stage::Precision;
+
+    fn at<R: math::Real>(case: [f64; 10]) -> math::Glance {
+        let (ray, sphere) = crate::measure::question(case.map(R::round_from));
+        glance(&Line::of(&ray), &sphere)
+    }
+    let at = |case, precision| match precision {
+        Precision::F32 => at::<f32>(case),
+        Precision::F64 => at::<f64>(case),
+    };
+    insta::assert_snapshot!(lab::glances(&crate::stage::RaySphere, 200, at));
+}

@@ -177,3 +177,20 @@ fn the_shares_of_a_point_by_hand() {
     let (ray, triangle) = question::<f64>(case);
     assert_eq!(alpha_beta(&ray, &triangle), Some((0.25, 0.5)));
 }
+
+/// How often a glance is sure in every regime, and how near: see [`lab::glances`].
+#[cfg(feature = "stage")]
+#[test]
+fn how_sure() {
+    use stage::Precision;
+
+    fn at<R: math::Real>(case: [f64; 15]) -> math::Glance {
+        let (ray, triangle) = crate::measure::question(case.map(R::round_from));
+        glance(&ray, &triangle)
+    }
+    let at = |case, precision| match precision {
+        Precision::F32 => at::<f32>(case),
+        Precision::F64 => at::<f64>(case),
+    };
+    insta::assert_snapshot!(lab::glances(&crate::stage::RayTriangle, 200, at));
+}

@@ -3,6 +3,8 @@
 mod draw;
 mod plain;
 
+use std::collections::BTreeMap;
+
 use lab::oracle::open_cone;
 use lab::{Accuracy, Answer, Draw, Judgment, Truth};
 use math::glance::First;
@@ -40,6 +42,8 @@ fn assert_glance<R: Real>((ray, cone): (&Ray3<R>, &OpenCone<R>), span: Span<R>, 
 struct Counted {
     notes: Accuracy,
     robust: Accuracy,
+    /// How robust came to its verdict, and to t.
+    ways: BTreeMap<String, usize>,
 }
 
 /// Judges both methods. For a hit, robust is asked again for what comes from there on and from a digit later.
@@ -49,6 +53,7 @@ fn judge_case<R: Real>(case: [f64; 14], precision: Precision, counted: &mut Coun
     let by_notes = notes(&ray, &cone).hit(Span::ahead());
     counted.notes.count(&Answer::of(&by_notes), &truth, precision);
     let work = robust(&ray, &cone);
+    *counted.ways.entry(format!("{:?} {:?}", work.certainty, work.t_certainty)).or_default() += 1;
     let found = work.hit(Span::ahead());
     assert_glance((&ray, &cone), Span::ahead(), case);
     let judged = |answer: &Answer, truth: &Truth, counted: &mut Accuracy| match counted
@@ -93,14 +98,16 @@ fn counted<R: Real>(seed: u64, cases: usize, precision: Precision) -> Vec<(&'sta
 #[test]
 fn robust_is_right_in_every_regime() {
     let all = [counted::<f32>(1, 150, Precision::F32), counted::<f64>(1, 150, Precision::F64)];
+    let mut lines = String::new();
     for (name, counted) in all.iter().flatten() {
-        let Counted { notes, robust } = counted;
+        let Counted { notes, robust, ways } = counted;
         assert!(robust.wrong == 0 && robust.cases >= 150, "{name}");
-        println!("{name:20} notes: {} of {} wrong, ulps {:?}", notes.wrong, notes.cases, notes.ulps.max());
+        lines += &format!("{name}: {ways:?}{}; notes{}\n", lab::worth(robust), lab::worth(notes));
         if ["edge-exact", "generator-exact", "tip"].contains(name) {
             assert!(notes.wrong > 0, "{name}");
         }
     }
+    insta::assert_snapshot!(lines);
 }
 
 /// No bits lead to a panic, a NaN, a t below zero or, for robust, a wrong verdict.

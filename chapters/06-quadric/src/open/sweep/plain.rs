@@ -92,7 +92,8 @@ fn leaving(draw: &mut Draw) -> [f64; 14] {
     }
 }
 
-fn sweep<R: Real>(precision: Precision, cases: u32) {
+fn sweep<R: Real>(precision: Precision, cases: u32) -> String {
+    let mut lines = String::new();
     let mut all = Counted::default();
     for (name, drawn) in REGIMES.into_iter().chain([("leaving", leaving as fn(&mut Draw) -> [f64; 14])]) {
         let (mut draw, mut counted) = (Draw::new(4, name, precision), Counted::default());
@@ -100,7 +101,7 @@ fn sweep<R: Real>(precision: Precision, cases: u32) {
             let case = drawn(&mut draw).map(|x| draw.rounded(x));
             judge::<R>(case, precision, &mut counted);
         }
-        println!("{name:20} {counted:?}");
+        lines += &format!("{name} {}: {counted:?}\n", precision.name());
         // what is ordinary is nearly always certain, and what is exactly at an edge never
         match name {
             "ordinary" | "behind" | "inside" => {
@@ -117,10 +118,10 @@ fn sweep<R: Real>(precision: Precision, cases: u32) {
         all.lambdas += counted.lambdas;
     }
     assert!(all.certain < all.asked && all.lambdas < all.hits && all.lambdas * 2 > all.hits, "{all:?}");
+    lines
 }
 
 #[test]
 fn what_plain_numbers_tell_is_exact() {
-    sweep::<f64>(Precision::F64, 200);
-    sweep::<f32>(Precision::F32, 100);
+    insta::assert_snapshot!(sweep::<f64>(Precision::F64, 200) + &sweep::<f32>(Precision::F32, 100));
 }
