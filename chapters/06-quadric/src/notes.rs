@@ -253,6 +253,22 @@ mod tests {
         notes(&ray, shape).hit(Span::ahead()).unwrap()
     }
 
+    /// By hand, for ā = (2, 3, 5) and d⃗ = (4, 5, 2): of the cylinder 16 + 25, 8 + 15, 4 + 9 − 1; of the cone, where 1 − z is
+    /// −4 − 2 λ, those without the 1, less a quarter of 4, of 8, and of 16.
+    #[test]
+    fn a_b_and_c_of_a_ray_askew() {
+        let ray = Ray3::<f64>::new(DVec3::new(2.0, 3.0, 5.0), DVec3::new(4.0, 5.0, 2.0));
+        assert_eq!(wall(&ray, Shape::Cylinder), (41.0, 23.0, 12.0));
+        assert_eq!(wall(&ray, Shape::Cone), (40.0, 21.0, 9.0));
+    }
+
+    /// From on the top down, λ is 0 / −1.
+    #[test]
+    fn minus_zero_is_zero() {
+        let hit = hit(Shape::Cylinder, [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]).unwrap();
+        assert_eq!(hit.t.to_bits(), 0);
+    }
+
     #[test]
     fn across_the_cylinder() {
         // by hand: along x at z = 0 the wall is at x = −1 and x = 1, and the caps are never met

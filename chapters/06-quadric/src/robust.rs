@@ -171,6 +171,15 @@ mod tests {
         assert_eq!((exit.t, exit.point, exit.normal), (f32::INFINITY, Vec3::X, Vec3::X));
     }
 
+    /// From on the top down, λ is 0 / −1; into the wall, C / (B − √D) with C zero and the rest below it.
+    #[test]
+    fn minus_zero_is_zero() {
+        for (origin, direction) in [(DVec3::Z, -DVec3::Z), (-DVec3::X, DVec3::X), (DVec3::X, -DVec3::X)] {
+            let hit = robust(&Ray3::<f64>::new(origin, direction), Shape::Cylinder).hit(Span::ahead());
+            assert_eq!(hit.unwrap().unwrap().t.to_bits(), 0, "{origin}");
+        }
+    }
+
     /// From the largest number there is, a rounded λ d leads beyond the largest.
     #[test]
     fn from_the_largest_number_there_is_a_point_and_a_normal() {
