@@ -171,6 +171,16 @@ mod tests {
         assert_eq!((exit.t, exit.point, exit.normal), (f32::INFINITY, Vec3::X, Vec3::X));
     }
 
+    /// By hand, along the slope of the cone: x² − ¼ (1 − z)² of (−½ + λ, 0, 1 − 2 λ) is ¼ − λ. Of exact numbers A is zero; of
+    /// others it is so nearly, and says nothing.
+    #[test]
+    fn along_the_slope_there_is_one_root() {
+        let (origin, direction) = ([-0.5, 0.0, 1.0], [1.0, 0.0, -2.0]);
+        let exact = Line::<Exact>::beside_unit(Shape::Cone, origin, direction);
+        assert_eq!(exact.lambda(exact.verdict().unwrap()), Some(0.25));
+        assert_eq!(Line::<Bounded<TwoPart>>::beside_unit(Shape::Cone, origin, direction).verdict(), None);
+    }
+
     /// From on the top down, λ is 0 / −1; into the wall, C / (B − √D) with C zero and the rest below it.
     #[test]
     fn minus_zero_is_zero() {
