@@ -244,6 +244,33 @@ mod tests {
         assert_eq!(page.pictures, BTreeSet::from(["ray-wall".to_string()]));
     }
 
+    /// All but what the stages show, of which `shown.rs` has a test.
+    #[test]
+    fn every_page_of_the_book_can_be_filled() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let sources = Sources::read(root).unwrap();
+        let filler =
+            Filler { root, sources: &sources, figures: Figures::none(root), shown: Shown::default() };
+        let mut pages = 0;
+        for folder in ["book/src", "book/src/trade"] {
+            for entry in std::fs::read_dir(root.join(folder)).unwrap() {
+                let path = entry.unwrap().path();
+                if path.extension().is_some_and(|it| it == "md") {
+                    let text = std::fs::read_to_string(&path).unwrap();
+                    let unshown: Vec<&str> = text
+                        .lines()
+                        .map(|line| if line.starts_with("{{show ") { "" } else { line })
+                        .collect();
+                    let faults = filler.page(path.strip_prefix(root).unwrap(), &unshown.join("\n")).err();
+                    let told: Vec<String> = faults.iter().flatten().map(ToString::to_string).collect();
+                    assert!(told.is_empty(), "{told:#?}");
+                    pages += 1;
+                }
+            }
+        }
+        assert!(pages > 20, "{pages}");
+    }
+
     #[test]
     fn every_fault_has_its_line() {
         let text = "{{code crates/math/src/span.rs Spam}}\n{{shoe ray-wall}}\n```rust\nlet x = 1;\n```\n\
