@@ -287,6 +287,6 @@ mod tests {
     #[cfg(feature = "stage")]
     #[test]
     fn how_good() {
-        insta::assert_snapshot!(lab::tally(&crate::stage::RayWall, 1, 200, |_, _| "rays".to_string()));
+        insta::assert_snapshot!(lab::tally(&crate::stage::RayWall, 1, 200, [|_| "rays".to_string(); 2]));
     }
 }

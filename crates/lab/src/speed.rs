@@ -54,8 +54,9 @@ pub fn runner<'a, Q: 'a, R: Real, V: Vector<R>>(
 /// `rounds`. For each runner its figure.
 ///
 /// So many rays that the processor cannot learn by heart which of them hit, as it does with a thousand, and for short
-/// methods with four thousand: eight thousand are enough but for a fifth of the time. A runner that would take longer for them than [`LONGEST_PASS`], or than its share of the time allowed, takes
-/// fewer, but never less than a few hundred, as far as `rays` allows.
+/// methods with four thousand: eight thousand are enough but for a fifth of the time. A runner that would take longer
+/// for them than [`LONGEST_PASS`], or than its share of the time allowed, takes fewer, but never less than a few hundred,
+/// as far as `rays` allows.
 pub fn time(
     runners: &mut [Runner<'_>],
     pass: Pass,

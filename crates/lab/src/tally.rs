@@ -14,17 +14,17 @@ use crate::{Accuracy, Regime, Subject, Truth};
 /// have the nearest number as t or one that is 1, 2 or more ulps from it, and, of the worst, the residual of the point and the
 /// angle of the normal. Verdicts that are wrong are told where there are any.
 ///
-/// `method` is its place among the methods of the stage, `way` names the way that a case takes. The same text on every
-/// machine, for a snapshot.
+/// `method` is its place among the methods of the stage. The last argument names the way that a case takes, as numbers of `f32` and of
+/// `f64`. The same text on every machine, for a snapshot.
 pub fn tally<const N: usize>(
     subject: &impl Subject<N>,
     method: usize,
     count: usize,
-    way: impl Fn([f64; N], Precision) -> String,
+    [narrow, wide]: [fn([f64; N]) -> String; 2],
 ) -> String {
     let of = |regime: &Regime<N>| {
-        let f32 = line::<f32, N>(subject, method, regime, count, Precision::F32, &way);
-        f32 + &line::<f64, N>(subject, method, regime, count, Precision::F64, &way)
+        let f32 = line::<f32, N>(subject, method, regime, count, Precision::F32, narrow);
+        f32 + &line::<f64, N>(subject, method, regime, count, Precision::F64, wide)
     };
     subject.regimes().iter().map(of).collect()
 }
@@ -35,13 +35,13 @@ fn line<R: Real, const N: usize>(
     regime: &Regime<N>,
     count: usize,
     precision: Precision,
-    way: &impl Fn([f64; N], Precision) -> String,
+    way: fn([f64; N]) -> String,
 ) -> String {
     const SEED: u64 = 11;
     let mut accuracy = Accuracy::default();
     let mut ways: BTreeMap<String, usize> = BTreeMap::new();
     for case in regime.cases(SEED, precision).take(count) {
-        *ways.entry(way(case, precision)).or_default() += 1;
+        *ways.entry(way(case)).or_default() += 1;
         let rounded = case.map(R::round_from);
         let truth = subject.truth(case, precision);
         accuracy.count(&subject.answer(method, rounded), &truth, precision);
@@ -54,18 +54,19 @@ fn line<R: Real, const N: usize>(
 }
 
 /// What a glance says of `count` cases of every regime at both precisions, a line each: how often it is sure of what, and how
-/// far the λ that it tells may be off, as shares of them, in the mean.
+/// far the λ that it tells may be off, as shares of them, in the mean. The last argument asks it of a case, as numbers of `f32` and of
+/// `f64`.
 pub fn glances<const N: usize>(
     subject: &impl Subject<N>,
     count: usize,
-    glance: impl Fn([f64; N], Precision) -> Glance,
+    glances: [fn([f64; N]) -> Glance; 2],
 ) -> String {
     const SEED: u64 = 12;
-    let line = |regime: &Regime<N>, precision: Precision| {
+    let line = |regime: &Regime<N>, precision: Precision, glance: fn([f64; N]) -> Glance| {
         let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
         let mut shares = Vec::new();
         for case in regime.cases(SEED, precision).take(count) {
-            let (kind, around) = match glance(case, precision) {
+            let (kind, around) = match glance(case) {
                 Glance::Misses => ("misses", vec![]),
                 Glance::Once(one) => ("once", vec![one]),
                 Glance::First(one) => ("first", vec![one]),
@@ -82,11 +83,9 @@ pub fn glances<const N: usize>(
         };
         format!("{} {}: {}{off}\n", regime.name, precision.name(), kinds.join(", "))
     };
-    subject
-        .regimes()
-        .iter()
-        .flat_map(|regime| Precision::ALL.map(|precision| line(regime, precision)))
-        .collect()
+    let [narrow, wide] = glances;
+    let of = |regime: &Regime<N>| line(regime, Precision::F32, narrow) + &line(regime, Precision::F64, wide);
+    subject.regimes().iter().map(of).collect()
 }
 
 /// What the hits are worth; nothing where there is none. See [`tally()`].

@@ -83,15 +83,9 @@ fn a_rise_that_rounding_may_have_made_is_unsure() {
 #[cfg(feature = "stage")]
 #[test]
 fn how_sure() {
-    use stage::Precision;
-
     fn at<R: math::Real>(case: [f64; 12]) -> math::Glance {
         let (ray, plane) = crate::measure::question(case.map(R::round_from));
         glance(&ray, &plane)
     }
-    let at = |case, precision| match precision {
-        Precision::F32 => at::<f32>(case),
-        Precision::F64 => at::<f64>(case),
-    };
-    insta::assert_snapshot!(lab::glances(&crate::stage::RayPlane, 200, at));
+    insta::assert_snapshot!(lab::glances(&crate::stage::RayPlane, 200, [at::<f32>, at::<f64>]));
 }

@@ -198,16 +198,10 @@ fn right_in_every_regime() {
 #[cfg(feature = "stage")]
 #[test]
 fn ways() {
-    use stage::Precision;
-
     fn way<R: Real>(case: [f64; 12]) -> String {
         let (ray, plane) = crate::measure::question(case.map(R::round_from));
         let work = robust(&ray, &plane);
         format!("{:?} {:?}", work.n_dot_p.certainty, work.n_dot_u.certainty)
     }
-    let way = |case, precision| match precision {
-        Precision::F32 => way::<f32>(case),
-        Precision::F64 => way::<f64>(case),
-    };
-    insta::assert_snapshot!(lab::tally(&crate::stage::RayPlane, 1, 200, way));
+    insta::assert_snapshot!(lab::tally(&crate::stage::RayPlane, 1, 200, [way::<f32>, way::<f64>]));
 }

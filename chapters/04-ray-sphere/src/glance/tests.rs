@@ -86,15 +86,9 @@ fn closed_forms() {
 #[cfg(feature = "stage")]
 #[test]
 fn how_sure() {
-    use stage::Precision;
-
     fn at<R: math::Real>(case: [f64; 10]) -> math::Glance {
         let (ray, sphere) = crate::measure::question(case.map(R::round_from));
         glance(&Line::of(&ray), &sphere)
     }
-    let at = |case, precision| match precision {
-        Precision::F32 => at::<f32>(case),
-        Precision::F64 => at::<f64>(case),
-    };
-    insta::assert_snapshot!(lab::glances(&crate::stage::RaySphere, 200, at));
+    insta::assert_snapshot!(lab::glances(&crate::stage::RaySphere, 200, [at::<f32>, at::<f64>]));
 }

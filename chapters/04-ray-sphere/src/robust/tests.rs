@@ -127,15 +127,9 @@ fn right_in_every_regime() {
 #[cfg(feature = "stage")]
 #[test]
 fn ways() {
-    use stage::Precision;
-
     fn way<R: Real>(case: [f64; 10]) -> String {
         let (ray, sphere) = crate::measure::question(case.map(R::round_from));
         format!("{:?}", robust(&ray, &sphere).chord.certainty)
     }
-    let way = |case, precision| match precision {
-        Precision::F32 => way::<f32>(case),
-        Precision::F64 => way::<f64>(case),
-    };
-    insta::assert_snapshot!(lab::tally(&crate::stage::RaySphere, 5, 200, way));
+    insta::assert_snapshot!(lab::tally(&crate::stage::RaySphere, 5, 200, [way::<f32>, way::<f64>]));
 }

@@ -182,15 +182,9 @@ fn the_shares_of_a_point_by_hand() {
 #[cfg(feature = "stage")]
 #[test]
 fn how_sure() {
-    use stage::Precision;
-
     fn at<R: math::Real>(case: [f64; 15]) -> math::Glance {
         let (ray, triangle) = crate::measure::question(case.map(R::round_from));
         glance(&ray, &triangle)
     }
-    let at = |case, precision| match precision {
-        Precision::F32 => at::<f32>(case),
-        Precision::F64 => at::<f64>(case),
-    };
-    insta::assert_snapshot!(lab::glances(&crate::stage::RayTriangle, 200, at));
+    insta::assert_snapshot!(lab::glances(&crate::stage::RayTriangle, 200, [at::<f32>, at::<f64>]));
 }

@@ -253,17 +253,11 @@ fn point_and_normal_are_as_good_as_lambda() {
 #[cfg(feature = "stage")]
 #[test]
 fn ways() {
-    use stage::Precision;
-
     fn way<R: math::Real>(case: [f64; 19]) -> String {
         let (ray, object, affine) = crate::measure::question(case.map(R::round_from));
         let Ok(deformed) = Deformed::for_ray(&ray, object, affine) else { return "Degenerate".to_string() };
         let steps = robust(&ray, &deformed).steps;
         format!("{:?} {:?}", steps.certainty, steps.lambda_certainty)
     }
-    let way = |case, precision| match precision {
-        Precision::F32 => way::<f32>(case),
-        Precision::F64 => way::<f64>(case),
-    };
-    insta::assert_snapshot!(lab::tally(&crate::stage::Affine, 2, 200, way));
+    insta::assert_snapshot!(lab::tally(&crate::stage::Affine, 2, 200, [way::<f32>, way::<f64>]));
 }

@@ -9,7 +9,7 @@ use crate::class::Class;
 
 /// What the book prints is what is printed: one is right, one mistaken, one does not compile, one does not end.
 #[test]
-#[ignore = "takes a minute: .ci/full runs it"]
+#[ignore = "it compiles and runs submissions in the sandbox, half a minute: .ci/full runs it"]
 fn the_class_of_the_book() {
     let class = Class::new();
     class.right("ada");
@@ -21,7 +21,7 @@ fn the_class_of_the_book() {
 
 /// One of them, as other programs read it.
 #[test]
-#[ignore = "takes a minute: .ci/full runs it"]
+#[ignore = "it compiles and runs submissions in the sandbox, half a minute: .ci/full runs it"]
 fn one_of_the_class_for_programs() {
     let class = Class::new();
     add_bob(&class);
