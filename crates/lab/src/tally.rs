@@ -14,8 +14,8 @@ use crate::{Accuracy, Regime, Subject, Truth};
 /// have the nearest number as t or one that is 1, 2 or more ulps from it, and, of the worst, the residual of the point and the
 /// angle of the normal. Verdicts that are wrong are told where there are any.
 ///
-/// `method` is its place among the methods of the stage. The last argument names the way that a case takes, as numbers of `f32` and of
-/// `f64`. The same text on every machine, for a snapshot.
+/// `method` is its place among the methods of the stage. The last argument names the way that a case takes, as numbers of
+/// `f32` and of `f64`. The same text on every machine, for a snapshot.
 pub fn tally<const N: usize>(
     subject: &impl Subject<N>,
     method: usize,
@@ -50,12 +50,19 @@ fn line<R: Real, const N: usize>(
         }
     }
     let ways: Vec<String> = ways.iter().map(|(way, count)| format!("{way} {count}")).collect();
-    format!("{} {}: {}{}\n", regime.name, precision.name(), ways.join(", "), worth(&accuracy))
+    let (name, ways, worth, quality) = (regime.name, ways.join(", "), worth(&accuracy), quality(&accuracy));
+    format!("{name} {}: {ways}{worth}{quality}\n", precision.name())
+}
+
+/// How far the worst point and the worst normal are off, of what [`Accuracy::count_quality`] counted.
+fn quality(accuracy: &Accuracy) -> String {
+    let point = if accuracy.hits > 0 { format!("; point {:.1e}", accuracy.residual) } else { String::new() };
+    point + &accuracy.normal_angle.map_or(String::new(), |angle| format!("; normal {angle:.1e}"))
 }
 
 /// What a glance says of `count` cases of every regime at both precisions, a line each: how often it is sure of what, and how
-/// far the λ that it tells may be off, as shares of them, in the mean. The last argument asks it of a case, as numbers of `f32` and of
-/// `f64`.
+/// far the λ that it tells may be off, as shares of them, in the mean. The last argument asks it of a case, as numbers of
+/// `f32` and of `f64`.
 pub fn glances<const N: usize>(
     subject: &impl Subject<N>,
     count: usize,
@@ -88,7 +95,7 @@ pub fn glances<const N: usize>(
     subject.regimes().iter().map(of).collect()
 }
 
-/// What the hits are worth; nothing where there is none. See [`tally()`].
+/// How many verdicts are wrong, if any, and how near the t of the hits are; nothing where there is none. See [`tally()`].
 pub fn worth(accuracy: &Accuracy) -> String {
     let mut text = match accuracy.wrong {
         0 => String::new(),
@@ -96,10 +103,7 @@ pub fn worth(accuracy: &Accuracy) -> String {
     };
     if accuracy.hits > 0 {
         let [nearest, by_1, by_2, by_more] = accuracy.ulps.up_to_three();
-        text += &format!("; t {nearest} {by_1} {by_2} {by_more}; point {:.1e}", accuracy.residual);
-    }
-    if let Some(angle) = accuracy.normal_angle {
-        text += &format!("; normal {angle:.1e}");
+        text += &format!("; t {nearest} {by_1} {by_2} {by_more}");
     }
     text
 }
@@ -120,9 +124,10 @@ mod tests {
         for t in [1.0, next, next, 2.0] {
             accuracy.count(&Answer::Hit(t), &truth, Precision::F64);
         }
-        assert_eq!(worth(&accuracy), "; t 1 2 0 1; point 0.0e0");
+        assert_eq!(worth(&accuracy), "; t 1 2 0 1");
         accuracy.count(&Answer::Miss, &truth, Precision::F64);
         accuracy.count_quality(Some(Quality { residual: 2.5e-16, normal_angle: Some(0.0) }));
-        assert_eq!(worth(&accuracy), "; WRONG 1; t 1 2 0 1; point 2.5e-16; normal 0.0e0");
+        assert_eq!(worth(&accuracy), "; WRONG 1; t 1 2 0 1");
+        assert_eq!(quality(&accuracy), "; point 2.5e-16; normal 0.0e0");
     }
 }
