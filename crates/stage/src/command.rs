@@ -19,6 +19,8 @@ use crate::{
     large_files_are_errors, try_beside, write_picture,
 };
 
+mod stray;
+
 /// The folder of all pictures that nobody names.
 const OUT: &str = "out";
 
@@ -33,7 +35,10 @@ pub fn main_from(stage: &dyn Stage, args: impl IntoIterator<Item = OsString>) ->
     clean_up_when_interrupted();
     match command(&stage.about()).try_get_matches_from(args) {
         Ok(matches) => finish(serve(stage, &matches, &mut BufWriter::new(io::stdout().lock()))),
-        Err(usage) => refuse(&usage),
+        Err(usage) => {
+            let verbs = if stage.about().inputs.is_empty() { "show or trade" } else { "show, trade or eval" };
+            refuse(&stray::explained(usage, verbs))
+        }
     }
 }
 

@@ -88,8 +88,11 @@ impl Flag {
                 number("N", "How many threads work, from 1 to 1024 [default: all the machine has]")
                     .value_parser(|text: &str| whole(text, 1..=1024).map(|threads| threads as usize))
             }
-            Flag::Depth => number("N", "How deep the recursion goes, from 1 to 1000 [default: the scene's]")
-                .value_parser(|text: &str| whole(text, 1..=1000)),
+            Flag::Depth => number(
+                "N",
+                "How deep the recursion goes, from 1 to 1000; glass may double the rays with each [default: the scene's]",
+            )
+            .value_parser(|text: &str| whole(text, 1..=1000)),
             Flag::Tolerance => {
                 number("E", "Leave out what cannot change a channel of a pixel by more than E [default: 0]")
                     .value_parser(parse_tolerance)
