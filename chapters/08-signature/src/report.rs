@@ -2,7 +2,7 @@
 
 use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
 use lab::scenes;
-use lab::table::{short, three_digits, under};
+use lab::table::{may_not_show, short, three_digits, under};
 use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured};
@@ -60,9 +60,11 @@ fn plot(measured: &[Measured]) -> TradePlot {
 
 fn text(measured: &[Measured], seed: u64) -> String {
     let mut text = format!("signature · trade · seed {seed}\n");
-    text += "ns: a pixel, all objects (and faces of meshes) tried, the median and its quartiles. other: pixels that see another object than the \
-             robust\nmethods at f64 do, with no object and some object among them; holes: those of them that see nothing at \
-             all.\n★: on the Pareto front: nothing else is at least as fast and as right, and better in one.\n";
+    text += "ns: a pixel, all objects (and faces of meshes) tried, the median and its quartiles. other: pixels that see \
+             another object\nthan the robust methods at f64 do, with no object and some object among them; holes: those of \
+             them that see nothing at all.\n★: on the Pareto front: nothing else is at least as fast and as right, and better in one.\n";
+    let fewest = measured.iter().flat_map(|it| &it.entries).map(|entry| entry.off.pixels).min().unwrap_or(0);
+    text += &may_not_show(fewest, "pixels a scene");
     for it in measured {
         text += "\n";
         text += &table(it);

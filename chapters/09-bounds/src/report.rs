@@ -2,7 +2,7 @@
 
 use lab::plot::{LinePlot, Series, lines_svg};
 use lab::scenes;
-use lab::table::{short, three_digits, under};
+use lab::table::{may_not_show, short, three_digits, under};
 use math::portable;
 use stage::{Drawing, Field, Precision, Record, Sheet, TradeAsk, Traded};
 
@@ -161,6 +161,8 @@ fn text(measured: &[Measured], seed: u64) -> String {
     text += "ns: what a ray of the eye sees, the median and its quartiles. bounds, tests: bounds and objects (or faces) tested a \
              ray.\nhits: the share of tests that hit, nearer than before. other: rays that see another object than without \
              bounds, or at\nanother λ. ms: to make the bounds.\n★: the fastest at its precision: what all see is the same.\n";
+    let fewest = measured.iter().flat_map(|it| &it.entries).map(|entry| entry.rays).min().unwrap_or(0);
+    text += &may_not_show(fewest, "rays a scene");
     for it in measured {
         text += "\n";
         text += &table(it);

@@ -3,7 +3,7 @@
 use lab::front;
 use lab::plot::{Mark, Panel, TradePlot, Words, trade_svg};
 use lab::scenes;
-use lab::table::{short, under};
+use lab::table::{may_not_show, short, under};
 use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured};
@@ -80,10 +80,7 @@ fn text(measured: &[Measured], seed: u64) -> String {
              bound is judged with everything tried, and timed as it is used: what is convex and left behind is not tried again.\n\
              ★: nothing else is at least as fast here and as right over all regimes, and better in one.\n";
     let cases = measured.iter().flat_map(|it| &it.entries).map(|entry| entry.faults.cases).max().unwrap_or(0);
-    text += &format!(
-        "{cases} rays a shape: what happens to less than one in {} may not show.\n",
-        (cases / 3).max(1)
-    );
+    text += &may_not_show(cases, "rays a shape");
     for it in measured {
         text += "\n";
         text += &table(it);

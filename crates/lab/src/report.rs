@@ -4,7 +4,7 @@ use stage::{Drawing, Field, Record, Sheet, Traded};
 
 use crate::measure::{Entry, Measured, MeasuredRegime, WorstCase};
 use crate::plot::{Mark, Panel, TradePlot, Words, trade_svg};
-use crate::table::{short, small, three_digits, under};
+use crate::table::{may_not_show, short, small, three_digits, under};
 use crate::verdict;
 use crate::{Judgment, Truth, scenes};
 
@@ -84,11 +84,7 @@ impl Measured {
                  error of t, a wrong\nverdict counting as 1. off: how far the point is from the surface, and the normal from its \
                  direction, at worst.\n★: on the Pareto front of what is shown: nothing else is at least as fast and as accurate, and \
                  better in one.\n";
-        let cases = self.cases();
-        text += &format!(
-            "{cases} cases a regime: what happens to less than one in {} may not show.\n",
-            (cases / 3).max(1)
-        );
+        text += &may_not_show(self.cases(), "cases a regime");
         for regime in &self.regimes {
             text += "\n";
             text += &table(regime);

@@ -54,9 +54,22 @@ pub fn small(x: f64) -> String {
     }
 }
 
+/// The line of a report that says how little so many cases show: of n, what befalls one in n / 3 is missed once in
+/// twenty times, (1 − 3 / n)^n ≈ e^−3.
+pub fn may_not_show(cases: u64, what: &str) -> String {
+    format!("{cases} {what}: what happens to less than one in {} may not show.\n", (cases / 3).max(1))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn few_cases_show_little() {
+        let said = may_not_show(1200, "rays a scene");
+        assert_eq!(said, "1200 rays a scene: what happens to less than one in 400 may not show.\n");
+        assert!(may_not_show(2, "rays").ends_with("less than one in 1 may not show.\n"));
+    }
 
     #[test]
     fn names_stand_to_the_left_and_numbers_to_the_right() {
