@@ -75,8 +75,9 @@ impl Figure for RayAndPlane {
             sketch.dot((hit.point.x(), hit.point.y()), Ink::Ray);
             sketch.label((hit.point.x(), hit.point.y()), (0.0, 18.0), Ink::Ray, "x");
         }
-        for handle in self.handles() {
-            sketch.label(handle.place, (0.0, -16.0), Ink::Quiet, handle.name);
+        let asides = [(0.0, -16.0), (0.0, -16.0), (0.0, 18.0), (0.0, -16.0)];
+        for (handle, aside) in self.handles().into_iter().zip(asides) {
+            sketch.label(handle.place, aside, Ink::Quiet, handle.name);
         }
     }
 

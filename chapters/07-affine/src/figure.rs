@@ -105,8 +105,9 @@ impl Figure for Squashed {
             let tip = (at.0 + 0.8 * hit.normal.x(), at.1 + 0.8 * hit.normal.y());
             sketch.arrow(at, tip, Ink::Normal, 1.0).dot(at, Ink::Ray);
         }
-        for handle in self.handles() {
-            sketch.label(handle.place, (0.0, -16.0), Ink::Quiet, handle.name);
+        let asides = [(-4.0, 18.0), (36.0, 0.0), (0.0, -16.0), (0.0, -16.0), (0.0, -16.0)];
+        for (handle, aside) in self.handles().into_iter().zip(asides) {
+            sketch.label(handle.place, aside, Ink::Quiet, handle.name);
         }
     }
 

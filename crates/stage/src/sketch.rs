@@ -147,12 +147,13 @@ impl Sketch {
         self
     }
 
-    /// A text whose middle stands `aside` of a place, in drawing units to the right and downward.
+    /// A text whose middle stands `aside` of a place, in drawing units to the right and downward. What follows `_` is
+    /// an index: `p_r`.
     pub fn label(&mut self, place: Place, aside: (f64, f64), ink: Ink, text: &str) -> &mut Sketch {
         let (x, y) = self.at(place);
         let (x, y) = (x + aside.0, y + aside.1 + 4.0);
         if is_inside((x, y)) {
-            let ([x, y], class, text) = ([x, y].map(tenths), ink.class(), escaped(text));
+            let ([x, y], class, text) = ([x, y].map(tenths), ink.class(), with_indices(text));
             self.add(format_args!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{text}</text>"));
         }
         self
@@ -261,6 +262,21 @@ fn within_frame((x, y): Place, (to_x, to_y): Place) -> Option<(Place, Place)> {
     is_there.then_some(((x + enters * dx, y + enters * dy), (x + leaves * dx, y + leaves * dy)))
 }
 
+/// A text as markup, its indices lower and smaller.
+fn with_indices(text: &str) -> String {
+    let mut parts = text.split('_');
+    let mut markup = escaped(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part.find(|sign: char| !sign.is_alphanumeric()).unwrap_or(part.len());
+        let (index, rest) = part.split_at(end);
+        markup += &format!("<tspan dy=\"3\" font-size=\"0.8em\">{}</tspan>", escaped(index));
+        if !rest.is_empty() {
+            markup += &format!("<tspan dy=\"-3\">{}</tspan>", escaped(rest));
+        }
+    }
+    markup
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -291,5 +307,14 @@ mod tests {
         sketch.label((0.0, 0.0), (0.0, -4.0), Ink::Quiet, "d < r & 'a'");
         let want = "<text class=\"quiet\" x=\"240\" y=\"160\">d &lt; r &amp; &#39;a&#39;</text>";
         assert_eq!(sketch.into_svg(), want);
+    }
+
+    #[test]
+    fn an_index_stands_lower() {
+        let index = |text: &str| format!("<tspan dy=\"3\" font-size=\"0.8em\">{text}</tspan>");
+        let back = "<tspan dy=\"-3\"> + u</tspan>";
+        assert_eq!(with_indices("p_r + u_r"), ["p", &index("r"), back, &index("r")].concat());
+        assert_eq!(with_indices("x_close"), ["x", &index("close")].concat());
+        assert_eq!(with_indices("_<"), format!("{}<tspan dy=\"-3\">&lt;</tspan>", index("")));
     }
 }
