@@ -89,6 +89,17 @@ mod tests {
         assert_eq!(along_z(0.75, -2.0, 4.0), None);
         assert_eq!(along_z(0.0, 2.0, -0.5), Some((2.0, 1.0, DVec3::Z)));
         assert_eq!(along_z(0.25, -2.0, -4.0), None);
+        // and as far beside the base along y
+        let beside = Ray3::<f64>::new(DVec3::new(0.25, 0.75, -2.0), DVec3::Z);
+        assert_eq!(hit(&beside, Span::ahead()), Ok(None));
+    }
+
+    #[test]
+    fn from_inside_the_printed_surface_is_left() {
+        // by hand: at z = 3/5 it is left at x = 2/5, three tenths from 1/10
+        let ray = Ray3::<f64>::new(DVec3::new(0.1, 0.0, 0.6), DVec3::X);
+        let seen = hit(&ray, Span::ahead()).unwrap().unwrap();
+        assert!((seen.t - 0.3).abs() < 1e-15 && (seen.point.x - 0.4).abs() < 1e-15, "{seen:?}");
     }
 
     #[test]
