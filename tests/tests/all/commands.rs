@@ -1,10 +1,14 @@
 //! The commands that are in order.
 
+use std::path::Path;
+
+use stage::{Ask, report};
 use tests::{Folder, STAGES, with_cases};
 
 use crate::assert_snapshot;
 use crate::cases::{answers, header, plain_row};
 use crate::process::{run, run_with_input};
+use crate::shown::by_default;
 
 #[test]
 fn show_is_what_a_stage_does_by_itself() {
@@ -27,9 +31,16 @@ fn show_is_what_a_stage_does_by_itself() {
 fn show_prints_json() {
     for stage in STAGES {
         let (folder, name) = (Folder::new(), stage.about().name);
-        let shown = run(folder.path(), name, &["show", "--format", "json", "--out", "picture.png"]);
+        let said = report(by_default(*stage), Path::new("picture.png"), true);
+        assert_snapshot(&format!("{name}.json"), &said);
+        let shown = run(
+            folder.path(),
+            name,
+            &["show", "--format", "json", "--size", "64x48", "--out", "picture.png"],
+        );
         assert_eq!((shown.status, shown.errors.as_str()), (0, ""));
-        assert_snapshot(&format!("{name}.json"), &shown.output);
+        let small = stage.show(&Ask { size: Some((64, 48)), ..Ask::default() }).unwrap();
+        assert_eq!(shown.output, report(&small, Path::new("picture.png"), true));
     }
 }
 
