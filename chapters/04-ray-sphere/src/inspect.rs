@@ -175,11 +175,15 @@ mod tests {
         let spheres = three_spheres::<f64>();
         let ray = Ray3::<f64>::new(glam::DVec3::ZERO, glam::DVec3::new(0.0, -1.0, 3.0));
         let drawn = section(Method::ClosestApproach, &ray, &spheres[0]);
-        for label in ["t_close = 3.1623", "d = 0.0000", "a = 1.0000", "enters at 2.1623, leaves at 4.1623"] {
+        // an index is an element of its own
+        let t_close = "t<tspan dy=\"3\" font-size=\"0.8em\">close</tspan><tspan dy=\"-3\"> = 3.1623</tspan>";
+        for label in
+            [t_close, "d = 0.0000", "a = 1.0000", ">hit</tspan>", "enters at 2.1623, leaves at 4.1623"]
+        {
             assert!(drawn.contains(label), "{label}: {drawn}");
         }
         let aside = Ray3::<f64>::new(glam::DVec3::ZERO, glam::DVec3::Y);
         let drawn = section(Method::Quadratic, &aside, &spheres[0]);
-        assert!(drawn.contains("misses the red sphere") && !drawn.contains("x_hit"), "{drawn}");
+        assert!(drawn.contains("misses the red sphere") && !drawn.contains(">hit</tspan>"), "{drawn}");
     }
 }

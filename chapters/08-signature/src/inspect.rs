@@ -178,7 +178,12 @@ mod tests {
         assert!((along + 0.8).abs() <= few && (across - 0.6).abs() <= few, "{along} {across}");
         let objects = [Object { id: Some(7), shape: sphere }];
         let drawn = section(Method::Robust, &ray, &objects, First { object: 0, lambda: hit.t });
-        for part in ["λ_ij = 2.1000", "object 7, sphere", "from outside", "<circle class=\"object\""] {
+        for part in [
+            ">ij</tspan><tspan dy=\"-3\"> = 2.1000<",
+            "object 7, sphere",
+            "from outside",
+            "<circle class=\"object\"",
+        ] {
             assert!(drawn.contains(part), "{part}: {drawn}");
         }
     }
