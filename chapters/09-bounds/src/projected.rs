@@ -223,6 +223,25 @@ mod tests {
         rectangle(&scene, &Box3 { low, high })
     }
 
+    /// By hand: a window 4 wide and 6 high, of 8 by 3 pixels, whose columns are ½ apart and whose rows are −2; or as far
+    /// that the last ones are at the window's edges.
+    #[test]
+    fn the_first_place_and_the_steps_are_those_of_the_grid() {
+        let window = Window { left: -1.0, right: 3.0, bottom: -4.0, top: 2.0 };
+        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
+        for (grid, first, step) in [
+            (Grid::Centers, [-0.75, 1.0], [0.5, -2.0]),
+            (Grid::Lattice, [-1.0, 2.0], [0.5, -2.0]),
+            (Grid::Edges, [-1.0, 2.0], [4.0 / 7.0, -3.0]),
+        ] {
+            let scene = Scene::<f64> { camera, grid, size: (8, 3), objects: Vec::new() };
+            let view = View::of(&scene);
+            assert_eq!((view.first, view.step), (first, step), "{grid:?}");
+            // the farthest of the window from its middle, and its distance
+            assert_eq!(view.reach, 3.0 + 4.0 + 1.0);
+        }
+    }
+
     /// By hand: at z = 2 the window is 4 wide, so x from 0 to 0.8 is columns 5 and 6, and one more on either
     /// side and what is rounded outward; y from 1.2 to 2 is rows 0 and 1.
     #[test]

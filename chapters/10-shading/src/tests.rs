@@ -9,7 +9,7 @@ use stage::{Ask, Chapter, Precision, Section, Value};
 use crate::picture::lighting;
 use crate::render::{Rendered, Seen, render};
 use crate::stage::Shading;
-use crate::{Rgb, Scene, Start, from_file, layout, own};
+use crate::{Lighting, Rgb, Scene, Start, from_file, layout, own};
 
 /// The value of the last step of that name.
 fn value(sections: &[Section], symbol: &str) -> Option<Value> {
@@ -74,6 +74,21 @@ fn light(position: [f64; 3]) -> String {
 
 const GROUND: &str = "[[object]]\nplane = { point = [0, 0, 0], normal = [0.1, 1, 0.2] }\nmaterial = \"m\"\n";
 const BALL: &str = "[[object]]\nsphere = { center = [0, 1, 0], radius = 0.7 }\nmaterial = \"m\"\n";
+
+/// Where r_d + r_s = 0 no light is asked for, unless idle rays are wanted; it looks the same.
+#[test]
+fn a_surface_that_answers_no_light_asks_for_none() {
+    let scene = scene::<f64>(&format!("diffuse = 0\nspecular = 0\n{}{GROUND}{BALL}", light([0.0, 5.0, 3.0])));
+    let bounded = Bounded::new(&scene.geometry, bounds::Method::Auto);
+    let [sparing, idle] = [false, true].map(|idle_shadows| {
+        let lighting = Lighting { idle_shadows, ..lighting(&scene, &bounded, Start::Bound) };
+        render(&lighting, 1, Some(1), |seen| seen.e).unwrap()
+    });
+    assert!(sparing.work.hits > 0);
+    assert_eq!(sparing.work.shadow_rays, 0);
+    assert!(idle.work.shadow_rays > 0);
+    assert!(sparing.pixels == idle.pixels);
+}
 
 /// A light at the eye sees what the eye sees: there are no shadows.
 #[test]

@@ -77,16 +77,15 @@ impl Media {
     }
 }
 
-/// The solids that hold the eye: from where both ways along a line leave them.
+/// The solids that hold the eye: solids are convex, and whoever meets one from within at λ > 0 is in it.
 pub(crate) fn around_eye<R: Real>(scene: &Scene<R>) -> Vec<usize> {
     let geometry = &scene.lit.geometry;
     let ray = geometry.ray((0, 0));
     let holds = |object: &usize| {
-        let leaves = |ray: &Ray3<R>| {
-            let hit = geometry.objects[*object].shape.hit(signature::Method::Robust, ray, Span::ahead());
-            hit.is_some_and(|hit| hit.t > R::from(0.0) && hit.normal.dot(ray.direction) > R::from(0.0))
-        };
-        scene.is_solid(*object) && leaves(&ray) && leaves(&Ray3::new(ray.origin, -ray.direction))
+        let hit = geometry.objects[*object].shape.hit(signature::Method::Robust, &ray, Span::ahead());
+        let is_left =
+            hit.is_some_and(|hit| hit.t > R::from(0.0) && hit.normal.dot(ray.direction) > R::from(0.0));
+        scene.is_solid(*object) && is_left
     };
     (0..geometry.objects.len()).filter(holds).collect()
 }

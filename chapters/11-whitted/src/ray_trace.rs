@@ -274,3 +274,43 @@ impl<'a, R: Real> Tracer<'a, R> {
         e
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use bounds::Parts;
+    use signature::Method;
+
+    use super::*;
+
+    /// What nothing lights has one color wherever it is hit: r_a I_a C = 0.1. With a light it has it only where r_d + r_s = 0
+    /// and no idle ray is wanted.
+    #[test]
+    fn what_no_light_changes_has_one_color() {
+        let of = |material: &str, light: &str, idle: bool| {
+            let text = format!(
+                "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nsize = [1, 1]\n{light}[material.m]\n{material}\n\
+                 [[object]]\nsphere = {{ center = [0, 0, 0], radius = 1 }}\nmaterial = \"m\"\n"
+            );
+            let file = scene_file::Scene::from_toml("scene.toml", &text, std::path::Path::new("")).unwrap();
+            let scene = crate::from_file::scene::<f64>(&file, None, None).unwrap();
+            let count = Parts::of(&scene.lit.geometry).count();
+            let requirements = Requirements { idle_shadows: idle, ..Requirements::of(&scene, count) };
+            let bounded = requirements.bounded(Method::Robust, &scene.lit.geometry);
+            let tracer = Tracer::new(&scene, &bounded, &requirements, None);
+            [1, scene.max_depth].map(|depth| tracer.one_color(0, depth))
+        };
+        let light = "[[light]]\nposition = [0, 0, 9]\nintensity = [1, 1, 1]\n";
+        let (some, none) = ([Some(Rgb([0.1; 3])); 2], [None; 2]);
+        assert_eq!(of("", "", false), some);
+        assert_eq!(of("", light, false), none);
+        assert_eq!(of("diffuse = 0", light, false), some);
+        assert_eq!(of("diffuse = 0", light, true), none);
+        // at the last depth no ray is sent on
+        assert_eq!(of("diffuse = 0\nmirror = 0.5", light, false), [None, some[1]]);
+        assert_eq!(of("diffuse = 0\ntransmit = 0.5", light, false), [None, some[1]]);
+        assert_eq!(
+            of("diffuse = 0\ntexture = { checker = [[1, 1, 1], [0, 0, 0]], scale = 1 }", light, false),
+            none
+        );
+    }
+}

@@ -128,3 +128,15 @@ fn a_reach_is_a_little_wider_than_its_span() {
     assert_eq!(Reach::of(Span::<f64>::ahead()), Reach { min: 0.0, max: f32::INFINITY });
     assert_eq!(Reach::of(Span::<f64>::new(-1.0, 5e-324)).min.to_bits(), 0);
 }
+
+/// By hand: u is 2⁻²⁴, so 1/d is 2⁻²² of itself too small where the ray enters, and as much too large where it leaves.
+#[test]
+fn the_slope_is_widened_by_four_units() {
+    let slabs = Slabs::new(&Ray3::<f64>::new(f64::vec3(0.0, 0.0, 0.0), f64::vec3(1.0, -2.0, 4.0)));
+    let widened = 2.0_f32.powi(-22);
+    for (axis, inverse) in [1.0, -0.5, 0.25].into_iter().enumerate() {
+        assert_eq!(slabs.enter[axis].inverse, inverse * (1.0 - widened));
+        assert_eq!(slabs.leave[axis].inverse, inverse * (1.0 + widened));
+        assert_eq!(slabs.first[axis], usize::from(inverse < 0.0));
+    }
+}

@@ -142,3 +142,24 @@ pub(crate) fn most_waiting(nodes: &[Node]) -> usize {
     }
     most.first().copied().unwrap_or(0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Box3;
+
+    /// By hand: below eight children, one of which is a node with three, at worst the other seven wait while its three do.
+    #[test]
+    fn at_worst_all_but_the_last_wait_on_each_level() {
+        let point = Box3 { low: [0.0; 3], high: [0.0; 3] };
+        let node = |leaves: usize, below: Option<usize>| {
+            let leaves = (0..leaves).map(|first| Child::leaf(first, 1));
+            let children: Vec<Child> = leaves.chain(below.map(Child::node)).collect();
+            Node::of(&mut children.into_iter().map(|child| (point, child)).collect::<Vec<_>>())
+        };
+        assert_eq!(most_waiting(&[]), 0);
+        assert_eq!(most_waiting(&[node(5, None)]), 5);
+        assert_eq!(most_waiting(&[node(7, Some(1)), node(3, None)]), 10);
+        assert_eq!(most_waiting(&[node(7, Some(1)), node(0, Some(2)), node(1, None)]), 8);
+    }
+}

@@ -107,3 +107,26 @@ impl Node {
         (near, LaneSet::not_negative(&near))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: two points that are so far apart along x, y and z.
+    #[test]
+    fn children_are_in_order_along_the_longest_axis_and_the_first_of_several() {
+        for (apart, axis) in [
+            ([4.0, 4.0, 4.0], 0),
+            ([4.0, 1.0, 4.0], 0),
+            ([1.0, 4.0, 4.0], 1),
+            ([1.0, 4.0, 2.0], 1),
+            ([1.0, 2.0, 4.0], 2),
+            ([4.0, 2.0, 5.0], 2),
+        ] {
+            let [far, near] = [apart, [0.0; 3]].map(|point| Box3 { low: point, high: point });
+            let node = Node::of(&mut [(far, Child::leaf(0, 1)), (near, Child::leaf(1, 2))]);
+            assert_eq!((node.axis, node.count), (axis, 2), "{apart:?}");
+            assert_eq!(node.children[..3], [Child::leaf(1, 2), Child::leaf(0, 1), Child::EMPTY]);
+        }
+    }
+}

@@ -103,3 +103,44 @@ fn higher<R: Real>(a: R, b: R) -> R {
 fn select<R>(condition: bool, a: R, b: R) -> R {
     if condition { a } else { b }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    const U: f64 = f64::EPSILON / 2.0;
+
+    /// Whether a ray along the axis z, from one unit before the triangle or behind it, is left to the test. The triangle's
+    /// sides are 2 along x and 4 along y, so n⃗ = (0, 0, 8); the direction is 2 long, so λ = ½.
+    fn is_left(x: f64, span: Span<f64>) -> bool {
+        let triangle =
+            Triangle { p1: DVec3::ZERO, p2: DVec3::new(2.0, 0.0, 0.0), p3: DVec3::new(0.0, 4.0, 0.0) };
+        let block = Block::of(&[0], &|_| triangle);
+        let [above, below] = [1.0, -1.0].map(|side| {
+            let ray = Ray3::new(DVec3::new(x, 0.5, side), DVec3::new(0.0, 0.0, -2.0 * side));
+            !ByRobust.candidates(&block, &ray, span).1.is_empty()
+        });
+        assert_eq!(above, below);
+        above
+    }
+
+    /// By hand: so little beyond the edge x = 0 the volume is 8 |x|, and its error 16u · 2 (2 · 4 + 1.5 · 6) = 544u.
+    #[test]
+    fn what_is_surely_past_an_edge_is_left_out() {
+        assert!(is_left(0.5, Span::ahead()));
+        assert!(is_left(-64.0 * U, Span::ahead()));
+        assert!(!is_left(-72.0 * U, Span::ahead()));
+    }
+
+    /// By hand: n⃗·(p̄1 − o⃗) = 8 and n⃗·d⃗ = 16. Twice the errors is 2 (16u · 2 · 8 + λ · 16u · 2 (8 + 2 · 6)) = 1152u, which is
+    /// 72u of λ.
+    #[test]
+    fn what_is_surely_out_of_the_span_is_left_out() {
+        assert!(is_left(0.5, Span::new(0.0, 0.5 - 70.0 * U)));
+        assert!(!is_left(0.5, Span::new(0.0, 0.5 - 74.0 * U)));
+        assert!(is_left(0.5, Span::new(0.5 + 70.0 * U, 1.0)));
+        assert!(!is_left(0.5, Span::new(0.5 + 74.0 * U, 1.0)));
+    }
+}

@@ -19,6 +19,15 @@ fn the_ground_has_x_and_minus_z() {
     assert_eq!(at(-0.5, 0.5), Rgb::WHITE);
 }
 
+/// By hand: of n = x, y is the first axis at right angles to it, and v = x × y = z; both count from the plane's point.
+#[test]
+fn a_plane_counts_from_its_point() {
+    let wall = Mapping::plane([1.0, 2.0, 3.0], [3.0, 0.0, 0.0], None);
+    assert_eq!(wall.uv([1.0, 7.0, 5.0], None), (5.0, 2.0));
+    let ground = Mapping::plane([1.0, 2.0, 3.0], [0.0, 1.0, 0.0], None);
+    assert_eq!(ground.uv([4.0, 2.0, 5.0], None), (3.0, -2.0));
+}
+
 /// By hand: atan2(z, x) of (0, 0, 1) is a quarter turn; the pole y = 1 is v = 0.
 #[test]
 fn a_sphere_has_longitude_and_latitude() {

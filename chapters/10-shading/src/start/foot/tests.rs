@@ -215,6 +215,27 @@ fn a_foot_on_the_ground() {
     assert!(lost.origins().iter().all(|origin| origin.is_finite()), "{lost:?}");
 }
 
+/// By hand: a quarter above a triangle at right angles to each axis in turn. With a = (2, 2) and b = (1, 4) their product
+/// is 8 − 2 = 6, and the sum of its parts 8 + 2 = 10.
+#[test]
+fn a_foot_on_a_triangle() {
+    let (p_1, above, u) = ([1.0, 2.0, 3.0], 0.25, unit(53));
+    for turns in 0..3 {
+        let turned = |mut v: [f64; 3]| {
+            v.rotate_right(turns);
+            std::array::from_fn(|axis| p_1[axis] + v[axis])
+        };
+        let [p1, p2, p3] =
+            [[0.0; 3], [2.0, 2.0, 0.0], [1.0, 4.0, 0.0]].map(|corner| vector::<f64>(turned(corner)));
+        let triangle = Shape::Triangle(Triangle::<f64> { p1, p2, p3 });
+        let put = Put::on(u, turned([0.5, 1.0, above]), [0.0; 3], &triangle, None);
+        let mut normal = [0.0, 0.0, 1.0];
+        normal.rotate_right(turns);
+        assert_eq!((put.point, put.normal), (turned([0.5, 1.0, 0.0]), normal));
+        assert_eq!(put.error, 24.0 * u * above + 8.0 * u * (10.0 * above) / 6.0);
+    }
+}
+
 /// A foot that were not put back: p̄ itself is farther from its sphere than the foot's error says.
 #[test]
 fn the_point_of_the_hit_is_farther_off() {
