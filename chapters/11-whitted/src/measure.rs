@@ -113,11 +113,13 @@ pub fn measure(ask: &TradeAsk) -> Result<Vec<Measured>, Error> {
             own.collect::<Result<_, Error>>()?
         }
     };
-    let (pixels, one_of, seconds) = if ask.quick { (60, 2, 3.0) } else { (1200, 3, 40.0) };
+    let share = 40.0 / files.len().max(1) as f64;
+    // a quick look takes as long at a scene whether it is asked for alone or with all others
+    let (pixels, one_of, seconds) = if ask.quick { (60, 2, 0.3) } else { (1200, 3, share) };
     let effort = Effort {
         pixels: ask.cases.unwrap_or(pixels).max(1),
         one_of,
-        allowed: Duration::from_secs_f64(seconds / files.len().max(1) as f64),
+        allowed: Duration::from_secs_f64(seconds),
     };
     let progress = Progress::new(files.len() as u64);
     let mut all = Vec::new();

@@ -17,12 +17,16 @@ pub struct Effort {
     pub allowed: Duration,
 }
 
+/// [`Effort::allowed`] with `--quick`: the stages have a dozen regimes or so.
+const QUICK: Duration = Duration::from_millis(40);
+
 impl Effort {
-    /// What is asked for, spread over so many regimes.
+    /// What is asked for, half a minute spread over so many regimes. A quick look takes as long at a regime whether it is
+    /// asked for alone or with all others.
     pub fn of(ask: &TradeAsk, regimes: usize) -> Effort {
-        let share = |seconds: f64| Duration::from_secs_f64(seconds / (2 * regimes.max(1)) as f64);
+        let share = || Duration::from_secs_f64(30.0 / (2 * regimes.max(1)) as f64);
         let (cases, timed, rounds, allowed) =
-            if ask.quick { (500, 8192, 21, share(1.0)) } else { (20_000, 8192, 201, share(30.0)) };
+            if ask.quick { (500, 8192, 21, QUICK) } else { (20_000, 8192, 201, share()) };
         Effort { cases: ask.cases.unwrap_or(cases), timed, rounds, allowed }
     }
 }
