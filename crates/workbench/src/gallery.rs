@@ -141,9 +141,10 @@ mod tests {
     use super::*;
     use crate::stages;
 
+    /// With a small picture, as nobody looks at it.
     fn finished(stage: &dyn Stage) -> Finished {
         let about = stage.about();
-        let shown = stage.show(&Ask::default()).unwrap();
+        let shown = stage.show(&Ask { size: Some((96, 72)), ..Ask::default() }).unwrap();
         let picture = PathBuf::from(about.name).with_extension("png");
         let (transcript, size) = (shown.transcript, shown.picture.size());
         Finished { about, transcript, picture, size, in_book: false, inspected: false }

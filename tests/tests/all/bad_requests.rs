@@ -130,8 +130,8 @@ fn a_drawing_that_cannot_be_written_costs_no_numbers() {
         let about = stage.about();
         let folder = Folder::new();
         std::fs::create_dir(folder.path().join("picture-trade.svg")).unwrap();
-        let args =
-            ["trade", "--quick", "--cases", "1", "--regime", about.regimes[0].0, "--out", "picture.png"];
+        let some = ["--regime", about.regimes[0].0, "--precision", "f64"];
+        let args = [&["trade", "--quick", "--cases", "1", "--out", "picture.png"], &some[..]].concat();
         let run = run(folder.path(), about.name, &args);
         assert_eq!(run.status, 1);
         assert!(run.errors.starts_with("error: cannot write picture-trade.svg: "), "{}", run.errors);

@@ -24,10 +24,11 @@ fn run_unread(mut command: Command) -> Run {
     Run::of(command.stdout(writer).output().unwrap())
 }
 
-/// A `trade` over one case of one regime.
-fn small_trade(stage: &dyn Stage) -> [&'static str; 8] {
-    let first = stage.about().regimes[0].0;
-    ["trade", "--quick", "--cases", "1", "--regime", first, "--out", "measured.png"]
+/// A `trade` of one method over one case of one regime.
+fn small_trade(stage: &dyn Stage) -> Vec<&'static str> {
+    let about = stage.about();
+    let what = ["--regime", about.regimes[0].0, "--method", about.methods[0], "--precision", "f64"];
+    [&["trade", "--quick", "--cases", "1", "--out", "measured.png"], &what[..]].concat()
 }
 
 /// More rows than any buffer holds.

@@ -13,8 +13,9 @@ use crate::shown::{SHOWN, requests};
 fn every_method_prints_its_transcript() {
     for (stage, ask, shown) in SHOWN.iter() {
         let about = stage.about();
-        let name = [about.name, about.methods[ask.method], ask.precision.name()].join(".");
-        assert_snapshot(&name, &shown.transcript.to_string());
+        let name = [about.name, about.methods[ask.method], ask.precision.name()];
+        let name = if ask.size.is_some() { [&name[..], &["small"]].concat() } else { name.to_vec() };
+        assert_snapshot(&name.join("."), &shown.transcript.to_string());
     }
 }
 
