@@ -1,5 +1,5 @@
 //! `cargo run -p pinhole`: see [`pinhole::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&pinhole::stage::Pinhole)
+    stage::main(pinhole::stage::STAGE)
 }

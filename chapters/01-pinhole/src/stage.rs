@@ -12,6 +12,9 @@ pub(crate) const HOUSE_SIZE: (u32, u32) = (5, 3);
 /// The stage `pinhole`.
 pub struct Pinhole;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &Pinhole;
+
 impl Chapter for Pinhole {
     fn about(&self) -> About {
         About {

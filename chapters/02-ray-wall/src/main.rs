@@ -1,5 +1,5 @@
 //! `cargo run -p ray-wall`: see [`ray_wall::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&ray_wall::stage::RayWall)
+    stage::main(ray_wall::stage::STAGE)
 }

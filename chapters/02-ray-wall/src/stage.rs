@@ -18,6 +18,9 @@ pub(crate) const ORIGIN: (f64, f64) = (1.0, 1.0);
 /// The stage `ray-wall`.
 pub struct RayWall;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &RayWall;
+
 impl Chapter for RayWall {
     fn about(&self) -> About {
         About {

@@ -1,5 +1,5 @@
 //! `cargo run -p ray-plane`: see [`ray_plane::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&ray_plane::stage::RayPlane)
+    stage::main(ray_plane::stage::STAGE)
 }

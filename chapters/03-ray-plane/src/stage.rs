@@ -11,6 +11,9 @@ use crate::{Meeting, Method, Notes, Plane, Robust, Working, map, picture, signed
 /// The stage `ray-plane`.
 pub struct RayPlane;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &RayPlane;
+
 impl Chapter for RayPlane {
     fn about(&self) -> About {
         About {

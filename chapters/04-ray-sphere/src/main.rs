@@ -1,5 +1,5 @@
 //! `cargo run -p ray-sphere`: see [`ray_sphere::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&ray_sphere::stage::RaySphere)
+    stage::main(ray_sphere::stage::STAGE)
 }

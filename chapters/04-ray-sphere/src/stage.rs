@@ -11,6 +11,9 @@ use crate::{Method, explain, inspect, map, picture, reject};
 /// The stage `ray-sphere`.
 pub struct RaySphere;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &RaySphere;
+
 impl Chapter for RaySphere {
     fn about(&self) -> About {
         About {

@@ -1,5 +1,5 @@
 //! `cargo run -p triangle`: see [`triangle::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&triangle::stage::RayTriangle)
+    stage::main(triangle::stage::STAGE)
 }

@@ -10,6 +10,9 @@ use crate::{Method, explain, leaks, picture};
 /// The stage `triangle`.
 pub struct RayTriangle;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &RayTriangle;
+
 impl Chapter for RayTriangle {
     fn about(&self) -> About {
         About {

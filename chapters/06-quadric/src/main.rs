@@ -1,5 +1,5 @@
 //! `cargo run -p quadric`: see [`quadric::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&quadric::stage::Quadric)
+    stage::main(quadric::stage::STAGE)
 }

@@ -11,6 +11,9 @@ use crate::{Method, Shape, explain, picture};
 /// The stage `quadric`.
 pub struct Quadric;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &Quadric;
+
 impl Chapter for Quadric {
     fn about(&self) -> About {
         About {

@@ -1,5 +1,5 @@
 //! `cargo run -p affine`: see [`affine::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&affine::stage::Affine)
+    stage::main(affine::stage::STAGE)
 }

@@ -11,6 +11,9 @@ use crate::{Deformed, Method, explain, picture, scene};
 /// The stage `affine`.
 pub struct Affine;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &Affine;
+
 impl Chapter for Affine {
     fn about(&self) -> About {
         About {

@@ -1,5 +1,5 @@
 //! `cargo run -p signature`: see [`signature::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&signature::stage::Signature)
+    stage::main(signature::stage::STAGE)
 }

@@ -12,6 +12,9 @@ use crate::{Method, explain, from_file, inspect, picture, report};
 /// The stage `signature`.
 pub struct Signature;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &Signature;
+
 /// The pixel of the chapter's own scene that is explained when none is asked for: the cone stands before the triangle
 /// there, and the ground behind it.
 const WORKED: (u32, u32) = (283, 180);

@@ -1,5 +1,5 @@
 //! `cargo run -p bounds`: see [`bounds::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&bounds::stage::BoundsStage)
+    stage::main(bounds::stage::STAGE)
 }

@@ -12,6 +12,9 @@ use crate::{Bounded, Method, explain, picture, report};
 /// The stage `bounds`.
 pub struct BoundsStage;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &BoundsStage;
+
 /// The chapter's own scene, one of chapter 08's: Haines's balls, 91 spheres on a square.
 const OWN: &str = "balls2";
 /// The size of its picture.

@@ -1,5 +1,5 @@
 //! `cargo run -p shading`: see [`shading::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&shading::stage::Shading)
+    stage::main(shading::stage::STAGE)
 }

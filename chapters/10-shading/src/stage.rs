@@ -12,6 +12,9 @@ use crate::{Start, explain, own, picture, report};
 /// The stage `shading`.
 pub struct Shading;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &Shading;
+
 /// The pixel that is explained when none is asked for: on the ball, in both lights, and in acne where nothing
 /// is done about it.
 const WORKED: (u32, u32) = (110, 180);

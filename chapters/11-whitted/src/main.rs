@@ -1,5 +1,5 @@
 //! `cargo run -p whitted`: see [`whitted::stage`].
 
 fn main() -> std::process::ExitCode {
-    stage::main(&whitted::stage::Whitted)
+    stage::main(whitted::stage::STAGE)
 }

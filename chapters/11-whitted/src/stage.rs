@@ -16,6 +16,9 @@ use crate::{Requirements, Tolerance, Tracer, auto, explain, from_file, inspect, 
 /// The stage `whitted`.
 pub struct Whitted;
 
+/// The chapter's stage. Here all of it is compiled for both precisions, and whoever runs it need not do so again.
+pub static STAGE: &dyn stage::Stage = &Whitted;
+
 /// The size of the chapter's own picture.
 const SIZE: (u32, u32) = (960, 720);
 /// The pixel of it that is explained when none is asked for: through the thin ball it sees the mirror.

@@ -1,10 +1,10 @@
 //! What a stage binary is made of: its verbs, the list of steps, pictures, case files, exit status.
 //!
-//! A chapter implements [`Chapter`] in its `stage.rs` and calls [`main`] in its `main.rs`:
+//! A chapter implements [`Chapter`] in its `stage.rs`, makes it a [`Stage`] there, and calls [`main`] in its `main.rs`:
 //!
 //! ```ignore
 //! fn main() -> std::process::ExitCode {
-//!     stage::main(&ray_wall::stage::RayWall)
+//!     stage::main(ray_wall::stage::STAGE)
 //! }
 //! ```
 //!

@@ -4,17 +4,17 @@ use stage::Stage;
 
 /// Every stage, in the order of the book.
 pub static ALL: &[&dyn Stage] = &[
-    &pinhole::stage::Pinhole,
-    &ray_wall::stage::RayWall,
-    &ray_plane::stage::RayPlane,
-    &ray_sphere::stage::RaySphere,
-    &triangle::stage::RayTriangle,
-    &quadric::stage::Quadric,
-    &affine::stage::Affine,
-    &signature::stage::Signature,
-    &bounds::stage::BoundsStage,
-    &shading::stage::Shading,
-    &whitted::stage::Whitted,
+    pinhole::stage::STAGE,
+    ray_wall::stage::STAGE,
+    ray_plane::stage::STAGE,
+    ray_sphere::stage::STAGE,
+    triangle::stage::STAGE,
+    quadric::stage::STAGE,
+    affine::stage::STAGE,
+    signature::stage::STAGE,
+    bounds::stage::STAGE,
+    shading::stage::STAGE,
+    whitted::stage::STAGE,
 ];
 
 /// The names of them all.

@@ -127,3 +127,26 @@ fn halves(x: f64) -> [f64; 2] {
     let upper = upper_half(x);
     [upper, x - upper]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: 1 + 2⁻⁵³ + 2⁻⁵³ is a number, though neither sum of two is; the same with what the lower halves bring.
+    #[test]
+    fn a_product_keeps_what_its_sums_lose() {
+        let (u, one) = (f64::EPSILON / 2.0, TwoPart::from(1.0));
+        let of = |x: f64, y: f64, z: f64| product([one; 3], [x, y, z].map(TwoPart::from));
+        assert_eq!(of(1.0, u, u), 1.0 + 2.0 * u);
+        assert_eq!(of(u, 1.0, u), 1.0 + 2.0 * u);
+        assert_eq!(of(1.0, u, 0.0), 1.0, "half a digit is not enough");
+        // (1 + 2⁻³⁰)² − 1 − 2⁻²⁹ = 2⁻⁶⁰, of which the first two cancel
+        let x = 1.0 + 2.0_f64.powi(-30);
+        let w = [x, 1.0, 2.0_f64.powi(-29)].map(TwoPart::from);
+        assert_eq!(product(w, [x, -1.0, -1.0].map(TwoPart::from)), 2.0_f64.powi(-60));
+        // and the second parts of the factors
+        let tiny = TwoPart { hi: 1.0, lo: u * u };
+        assert_eq!(product([tiny, one, one], [one, -one, TwoPart::from(0.0)]), u * u);
+        assert_eq!(product([one, one, one], [tiny, -one, TwoPart::from(0.0)]), u * u);
+    }
+}

@@ -117,6 +117,9 @@ fn the_edges_belong_to_the_wall() {
             "{end:?}, from inside"
         );
         assert_eq!(ahead(&pipe, ray(0.0, z, 1.0, 0.0)), Some((2.0, V::X)), "{end:?}, in its plane");
+        let starts = |x: f64, z: f64| robust(&ray(x, z, -1.0, way), &pipe).verdict;
+        assert_eq!(starts(2.0, z), Verdict::Starts(Some(end)));
+        assert_eq!(starts(2.0, 3.0), Verdict::Starts(None), "between the edges");
         let off = |x: f64, z_off: f64| robust(&ray(x, z - 2.0 * way, -1.0, way * z_off), &pipe).verdict;
         assert_eq!(off(4.0, 1.0), Verdict::Edge(end));
         assert_eq!(off(4.0 + 4.0 * f64::EPSILON, 1.0), Verdict::Outer, "a digit farther in");
