@@ -84,3 +84,21 @@ impl Strips {
         is_one.then(|| &self.sides[self.starts[strip] as usize..self.starts[strip + 1] as usize])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: an outline that rises from 100 to 109 corner by corner, ten strips of 0.9. Between 104.5 and 105.4 there are
+    /// the sides from 104 and from 105, and the long one back.
+    #[test]
+    fn a_strip_has_the_sides_that_reach_it() {
+        let heights: Vec<f64> = (100..110).map(f64::from).collect();
+        let strips = Strips::of(&heights).unwrap();
+        assert_eq!(strips.sides_between(104.6, 105.3), Some(&[4, 5, 9][..]));
+        assert_eq!(strips.sides_between(104.4, 104.6), None);
+        // what is lower or higher than all is in the first strip or in the last one
+        assert_eq!(strips.sides_between(-7.0, 100.1), Some(&[0, 9][..]));
+        assert_eq!(strips.sides_between(108.9, 200.0), Some(&[8, 9][..]));
+    }
+}

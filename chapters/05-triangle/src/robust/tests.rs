@@ -35,6 +35,13 @@ impl Numbers {
     }
 }
 
+/// By hand: of d · n = 8 the corners have ¾, −¼ and ½ where the ray comes through the plane, to the left of the triangle.
+#[test]
+fn a_ray_past_an_edge_has_its_volumes_too() {
+    let miss = carefully::robust(Ray3::new(DVec3::ZERO, DVec3::new(0.0, 1.0, 1.0)), TRIANGLE);
+    assert_eq!((miss.volumes, miss.d_dot_n, miss.lambda), ([6.0, -2.0, 4.0], 8.0, None));
+}
+
 #[test]
 fn a_ray_through_the_inside() {
     // by hand: d · n = 8, of which the corners have ½, ¼ and ¼, and (p̄1 − ā) · n = 16
