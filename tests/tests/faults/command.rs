@@ -94,7 +94,7 @@ pub(crate) fn run(folder: &Path, args: &[&str]) -> Run {
 /// A picture of every stage, each of some kilobytes.
 pub(crate) static PICTURES: LazyLock<Vec<Writer>> = LazyLock::new(|| {
     let picture =
-        |stage: &&dyn Stage| Writer::new(&[stage.about().name, "--size", "240x180", "--out", "picture.png"]);
+        |stage: &&dyn Stage| Writer::new(&[stage.about().name, "--size", "200x150", "--out", "picture.png"]);
     STAGES.iter().map(picture).collect()
 });
 
