@@ -6,9 +6,11 @@ use attempts::Kind;
 use exercise::first_wrong;
 use homework::judge::judge;
 use homework::{Catalog, Exercise, answers};
+use rayon::prelude::*;
 
-fn catalog() -> Catalog {
-    Catalog::read().unwrap()
+/// Each exercise, several at a time.
+fn for_each(does: impl Fn(&Exercise) + Send + Sync) {
+    Catalog::read().unwrap().exercises.par_iter().for_each(does);
 }
 
 /// What the attempts of a kind at an exercise are worth.
@@ -23,7 +25,7 @@ fn each(exercise: &Exercise, kind: fn(Kind) -> bool, mut seen: impl FnMut(Kind, 
 
 #[test]
 fn the_reference_passes() {
-    for exercise in &catalog().exercises {
+    for_each(|exercise| {
         let sheet = exercise.sheet();
         let verdict = judge(exercise, &sheet, &answers(&sheet, exercise.reference));
         assert!(verdict.wrong.is_none(), "{}: {:?}", exercise.manifest.name, verdict.wrong);
@@ -31,12 +33,12 @@ fn the_reference_passes() {
         for (row, asked) in sheet.rows.iter().enumerate() {
             assert!(!asked.steps.0.is_empty(), "{}: case {row} shows nothing", exercise.manifest.name);
         }
-    }
+    });
 }
 
 #[test]
 fn what_is_right_in_other_algebra_passes_without_accusation() {
-    for exercise in &catalog().exercises {
+    for_each(|exercise| {
         let mut count = 0;
         each(
             exercise,
@@ -48,12 +50,12 @@ fn what_is_right_in_other_algebra_passes_without_accusation() {
             },
         );
         assert!(count >= 2, "{}: {count} solutions in other algebra", exercise.manifest.name);
-    }
+    });
 }
 
 #[test]
 fn each_mistake_is_called_by_its_name() {
-    for exercise in &catalog().exercises {
+    for_each(|exercise| {
         let name = &exercise.manifest.name;
         assert!(exercise.mistakes.len() >= 4, "{name}: {} mistakes", exercise.mistakes.len());
         for known in &exercise.mistakes {
@@ -78,12 +80,12 @@ fn each_mistake_is_called_by_its_name() {
                 assert_eq!(named, Some(mistake), "{name} {kind:?}: {:#?}", verdict.wrong);
             },
         );
-    }
+    });
 }
 
 #[test]
 fn the_models_differ_from_each_other_and_from_the_reference() {
-    for exercise in &catalog().exercises {
+    for_each(|exercise| {
         let sheet = exercise.sheet();
         let sheet_of = |known: &homework::Known| homework::sheet(&exercise.manifest, known.probe, usize::MAX);
         let sheets: Vec<_> = exercise.mistakes.iter().map(sheet_of).collect();
@@ -100,14 +102,14 @@ fn the_models_differ_from_each_other_and_from_the_reference() {
                 assert!(differ, "{}: mistakes {number} and {other} are one", exercise.manifest.name);
             }
         }
-    }
+    });
 }
 
 /// It panics with a question in every case that comes to a hole, and it passes no property of which it asks
 /// something.
 #[test]
 fn the_untouched_hand_out_fails_where_it_asks() {
-    for exercise in &catalog().exercises {
+    for_each(|exercise| {
         let sheet = exercise.sheet();
         let name = &exercise.manifest.name;
         each(
@@ -128,5 +130,5 @@ fn the_untouched_hand_out_fails_where_it_asks() {
                 }
             }
         }
-    }
+    });
 }

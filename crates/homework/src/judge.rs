@@ -1,8 +1,9 @@
 //! What an attempt is worth, and which mistake it makes.
 
-use exercise::{Answer, Sheet, Wrong, first_wrong, first_wrong_step};
+use exercise::{Answer, Sheet, Wrong, first_wrong, first_wrong_step, run};
 
-use crate::{Exercise, Known, sheet};
+use crate::sheets::expected;
+use crate::{Exercise, Known};
 
 /// What an attempt is worth.
 #[derive(Clone, Debug)]
@@ -34,30 +35,29 @@ pub fn judge<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> V
 /// The known mistake that explains the answers: what is right is right with the mistake too, and in every
 /// case that is wrong the first wrong value is the one that the mistake leads to, in the same place.
 fn recognize<'a>(exercise: &'a Exercise, sheet: &Sheet, answers: &[Answer]) -> Option<&'a Known> {
-    exercise.mistakes.iter().find(|known| {
-        let mistaken = mistaken(exercise, known);
-        (0..sheet.rows.len()).all(|row| {
-            let steps = Answer { steps: mistaken.rows[row].steps.clone(), broken: None };
-            let made = first_wrong_step(&sheet.rows[row].steps, &steps);
-            let (wrong, made) = match (wrong_step(sheet, answers, row), made) {
-                (None, None) => return true,
-                (Some(wrong), Some(made)) if wrong.step == made.step => (wrong, made),
-                _ => return false,
-            };
-            let symbol = answers.get(row).and_then(|it| it.steps.0.get(wrong.step)).map(|step| &step.symbol);
-            match (mistaken.rows[row].steps.0.get(made.step), wrong.got) {
-                (Some(made), Some(got)) => {
-                    Some(&made.symbol) == symbol && made.value.is_met_by(&got, &made.tolerance)
-                }
-                _ => false,
-            }
-        })
-    })
+    let mut known = exercise.mistakes.iter();
+    known.find(|known| (0..sheet.rows.len()).all(|row| explains(known, sheet, answers, row)))
 }
 
-/// What a mistake leads to, with the tolerances of its own formulas.
-fn mistaken(exercise: &Exercise, known: &Known) -> Sheet {
-    sheet(&exercise.manifest, known.probe, usize::MAX)
+/// Whether a mistake explains the answer to one case.
+fn explains(known: &Known, sheet: &Sheet, answers: &[Answer], row: usize) -> bool {
+    let asked = &sheet.rows[row];
+    let mistaken = Answer { broken: None, ..run(known.probe, &sheet.case(row)) };
+    let made = first_wrong_step(&asked.steps, &mistaken);
+    let (wrong, made) = match (wrong_step(sheet, answers, row), made) {
+        (None, None) => return true,
+        (Some(wrong), Some(made)) if wrong.step == made.step => (wrong, made),
+        _ => return false,
+    };
+    let symbol = answers.get(row).and_then(|it| it.steps.0.get(wrong.step)).map(|step| &step.symbol);
+    // with the tolerances of the mistake's own formulas
+    let mistaken = expected(known.probe, &sheet.columns, &asked.numbers);
+    match (mistaken.0.get(made.step), wrong.got) {
+        (Some(made), Some(got)) => {
+            Some(&made.symbol) == symbol && made.value.is_met_by(&got, &made.tolerance)
+        }
+        _ => false,
+    }
 }
 
 fn wrong_step(sheet: &Sheet, answers: &[Answer], row: usize) -> Option<Wrong> {

@@ -45,7 +45,7 @@ const HALVED: f64 = 0.75;
 /// that makes a number jump, which half the nudge does as far. A case on an edge (t = 0, a tangent, the rim)
 /// is decided by the page or the task, and its numbers are so short that no algebra rounds on the way to the
 /// verdict: [`on_an_edge`] finds them, and a test looks at their numbers.
-fn expected(probe: Probe, columns: &[String], numbers: &[f64]) -> Steps {
+pub(crate) fn expected(probe: Probe, columns: &[String], numbers: &[f64]) -> Steps {
     let mut steps = run(probe, &Case::new(columns, numbers)).steps;
     let mut moved: Vec<Vec<f64>> = steps.0.iter().map(|step| vec![0.0; step.value.numbers().len()]).collect();
     for beside in nudged(probe, columns, numbers) {
