@@ -29,7 +29,7 @@ struct Base {
 }
 
 /// Cargo keeps to the sandbox: nothing of our home is there.
-const CARGO: &str = "export CARGO_HOME=/work/.home TMPDIR=/work/tmp CARGO_INCREMENTAL=0; \
+const CARGO: &str = "export CARGO_HOME=/work/.home TMPDIR=/work/tmp CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0; \
                      export CARGO_TERM_COLOR=never; \
                      mkdir -p /work/tmp;";
 /// What was built once cannot be unpacked: nothing that an attempt could do.

@@ -44,7 +44,7 @@ fn trade(folder: &Folder, stage: &dyn Stage, cases: &str, args: &[&str]) -> Run 
 
 /// The same, in order; its records as JSON.
 fn records(stage: &dyn Stage, args: &[&str]) -> Vec<Value> {
-    let run = trade(&Folder::new(), stage, "200", &[&["--format", "json"], args].concat());
+    let run = trade(&Folder::new(), stage, "60", &[&["--format", "json"], args].concat());
     assert_eq!((run.status, run.errors.as_str()), (0, ""));
     serde_json::from_str(&run.output).unwrap_or_else(|error| panic!("{error}:\n{}", run.output))
 }
@@ -77,7 +77,7 @@ fn records_are_the_contracts() {
         let first = regimes(*stage)[0].clone();
         assert_eq!(named(*stage, records), methods_and_precisions(*stage));
         for record in records {
-            assert_eq!((text(&record["regime"]), record["cases"].as_u64()), (first.clone(), Some(200)));
+            assert_eq!((text(&record["regime"]), record["cases"].as_u64()), (first.clone(), Some(60)));
             assert!(record["pareto"].is_boolean(), "{record}");
             // grids of pixels, and whole scenes
             let is_of_rays = stage.about().name != "pinhole" && stage.about().number < 8;
@@ -91,7 +91,7 @@ fn records_are_the_contracts() {
                 _ => "ns_per_pixel",
             };
             assert!(record[time].as_f64().is_some_and(|ns| ns > 0.0), "{record}");
-            assert!(!is_of_rays || record["wrong_decisions"].as_u64() <= Some(200), "{record}");
+            assert!(!is_of_rays || record["wrong_decisions"].as_u64() <= Some(60), "{record}");
         }
         assert!(records.iter().any(|record| record["pareto"] == true), "somebody is on the front");
     }
@@ -106,7 +106,7 @@ fn text(value: &Value) -> String {
 #[test]
 fn csv_has_the_same_records_and_a_seed_decides_the_counts() {
     for (stage, records) in STAGES.iter().zip(&*RECORDS) {
-        let run = trade(&Folder::new(), *stage, "200", &["--format", "csv", "--precision", "f32"]);
+        let run = trade(&Folder::new(), *stage, "60", &["--format", "csv", "--precision", "f32"]);
         assert_eq!((run.status, run.errors.as_str()), (0, ""));
         let mut lines = run.output.lines();
         let header: Vec<&str> = lines.next().expect("a header row").split(',').collect();
