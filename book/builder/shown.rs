@@ -86,7 +86,12 @@ fn fresh(root: &Path, stage: &dyn Stage, ask: &Ask, printed: &str) -> Result<(),
     let about = stage.about();
     let name = [about.name, about.methods[ask.method], ask.precision.name()].join(".");
     let file = format!("tests/snapshots/{name}.snap");
-    let snapshot = std::fs::read_to_string(root.join(&file)).map_err(|error| format!("{file}: {error}"))?;
+    let snapshot = match std::fs::read_to_string(root.join(&file)) {
+        Ok(snapshot) => snapshot,
+        Err(error) if *ask == Ask::default() => return Err(format!("{file}: {error}")),
+        // of a whole scene only the default request has one at this size
+        Err(_) => return Ok(()),
+    };
     let accepted = snapshot.splitn(3, "---\n").nth(2).unwrap_or_default();
     match accepted.trim_end() == printed.trim_end() {
         true => Ok(()),
