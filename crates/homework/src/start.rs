@@ -46,14 +46,17 @@ fn put(files: &Files, into: &Path) -> Result<(), Error> {
     let ready = beside.path().join("ready");
     // its name until it is whole is nobody's business
     folder::put(files, &ready).map_err(|(_, error)| failed(error))?;
-    if !is_there {
-        return fs::rename(&ready, &whole).map_err(failed);
-    }
-    for entry in fs::read_dir(&ready).map_err(failed)? {
-        let entry = entry.map_err(failed)?;
-        fs::rename(entry.path(), whole.join(entry.file_name())).map_err(failed)?;
-    }
-    Ok(())
+    let into_place = || {
+        if !is_there {
+            return fs::rename(&ready, &whole);
+        }
+        for entry in fs::read_dir(&ready)? {
+            let entry = entry?;
+            fs::rename(entry.path(), whole.join(entry.file_name()))?;
+        }
+        Ok(())
+    };
+    beside.leave(into_place).map_err(failed)
 }
 
 /// The files of a hand-out, by their paths in its folder. [`Error::Failed`] where it cannot be cut from the
