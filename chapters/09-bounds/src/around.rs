@@ -60,6 +60,23 @@ mod tests {
         }
     }
 
+    /// From the smallest number to nearly the largest: above it, and by two units of its last digit at most.
+    #[test]
+    fn the_next_number_up_is_above_and_near() {
+        fn assert_next<R: Real>(least: i32, most: i32) {
+            for power in least..most {
+                for factor in [1.0, 1.5, 1.75] {
+                    let x = R::round_from(factor * scaled(1.0, power));
+                    let (size, off): (f64, f64) = (x.into(), (next_up(x) - x).into());
+                    let digit: f64 = scaled(1.0, 1 - R::DIGITS as i32) * size;
+                    assert!(off > 0.0 && off <= 2.0 * digit.max(R::SMALLEST.into()), "{size:e} {off:e}");
+                }
+            }
+        }
+        assert_next::<f32>(-149, 127);
+        assert_next::<f64>(-1074, 1023);
+    }
+
     #[test]
     fn what_has_no_sphere() {
         let endless = Box3 { low: [f32::NEG_INFINITY; 3], high: [f32::INFINITY; 3] };

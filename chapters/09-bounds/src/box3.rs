@@ -112,6 +112,22 @@ mod tests {
         assert_eq!((largest.low, largest.high), ([f32::NEG_INFINITY; 3], [f32::INFINITY; 3]));
     }
 
+    /// 2¹²⁶ is a face, and the next number is beyond; inward, what is beyond is 2¹²⁶.
+    #[test]
+    fn the_farthest_face_is_finite() {
+        let farthest = f64::from(Box3::FARTHEST);
+        assert_eq!(farthest, 2.0_f64.powi(126));
+        for (x, outward, inward) in [
+            (farthest, Box3::FARTHEST, Box3::FARTHEST),
+            (farthest.next_up(), f32::INFINITY, Box3::FARTHEST),
+            (farthest.next_down(), Box3::FARTHEST, Box3::FARTHEST.next_down()),
+            (f64::from(f32::MAX), f32::INFINITY, Box3::FARTHEST),
+        ] {
+            assert_eq!((rounded_up(x), rounded_down(x)), (outward, inward), "{x:e}");
+            assert_eq!((rounded_down(-x), rounded_up(-x)), (-outward, -inward), "{x:e}");
+        }
+    }
+
     #[test]
     fn a_sphere_touches_its_box() {
         // by hand: 2 ∓ 1, and a neighbor outward as c ∓ r might have been rounded

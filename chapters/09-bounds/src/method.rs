@@ -69,6 +69,8 @@ mod tests {
     fn three_spheres_require_no_tree() {
         assert_eq!(Method::required(3), Method::None);
         assert_eq!(Method::required(7382), Method::Wide);
+        assert_eq!(Method::required(CROSSOVER - 1), Method::None);
+        assert_eq!(Method::required(CROSSOVER), Method::Wide);
         assert_eq!(Method::Tree.or_required(3), Method::Tree, "what is asked for is done");
     }
 }

@@ -174,10 +174,15 @@ fn deformed_box<R: Real>(deformed: &affine::Deformed<R>) -> Option<Box3> {
             affine::Object::Plane => return None,
             affine::Object::Triangle => ((-x).max(-y).max(0.0), x.max(y).max(0.0)),
         };
-        let off = 8.0 * f64::EPSILON * (t[axis].abs() + below.abs() + above.abs()) + f64::MIN_POSITIVE;
-        (low[axis], high[axis]) = (t[axis] - below - off, t[axis] + above + off);
+        [low[axis], high[axis]] = widened(t[axis], below, above);
     }
     Some(around([low, high]))
+}
+
+/// From t − below to t + above, farther by what both may be off.
+fn widened(t: f64, below: f64, above: f64) -> [f64; 2] {
+    let off = 8.0 * f64::EPSILON * (t.abs() + below.abs() + above.abs()) + f64::MIN_POSITIVE;
+    [t - below - off, t + above + off]
 }
 
 /// ‖v‖, divided by the largest component first, so that no square overflows or vanishes.
@@ -193,7 +198,10 @@ fn length(v: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use affine::{Affine, Deformed, Matrix3, Object};
+    use affine::{Affine, Deformed, Matrix3};
+    use glam::DVec3;
+    use math::{Camera, Grid, Handedness, Window};
+    use signature::Object;
 
     /// By hand, with 3-4-5, around (10, 20, 30): ‖(3, 4, 0)‖ = 5 of the sphere, 5 + 2 of the cylinder; of the cone
     /// half of it at the base, or the apex. The box is rounded outward, by no more than two of its digits.
@@ -203,10 +211,10 @@ mod tests {
         let triangle = [[-3.0, 4.0, 2.0], [0.0, 2.0, 0.0], [0.0, -1.0, 4.0]];
         let of_sphere = 29.0_f64.sqrt();
         for (object, rows, below, above) in [
-            (Object::Sphere, rows, [of_sphere, 2.0, 4.0], [of_sphere, 2.0, 4.0]),
-            (Object::Cylinder, rows, [7.0, 2.0, 4.0], [7.0, 2.0, 4.0]),
-            (Object::Cone, rows, [2.5, 1.0, 0.0], [2.5, 1.0, 4.0]),
-            (Object::Triangle, triangle, [3.0, 0.0, 1.0], [4.0, 2.0, 0.0]),
+            (affine::Object::Sphere, rows, [of_sphere, 2.0, 4.0], [of_sphere, 2.0, 4.0]),
+            (affine::Object::Cylinder, rows, [7.0, 2.0, 4.0], [7.0, 2.0, 4.0]),
+            (affine::Object::Cone, rows, [2.5, 1.0, 0.0], [2.5, 1.0, 4.0]),
+            (affine::Object::Triangle, triangle, [3.0, 0.0, 1.0], [4.0, 2.0, 0.0]),
         ] {
             let t = [10.0, 20.0, 30.0];
             let affine = Affine { a: Matrix3::from_rows(rows), t: t.into() };
@@ -220,6 +228,49 @@ mod tests {
                 assert!((0.0..=most).contains(&over), "{} {axis}: {over}", object.name());
             }
         }
+    }
+
+    /// By hand: eight units of the last digit of the largest, and not of all three more than 24; where all are zero, a
+    /// little.
+    #[test]
+    fn a_box_is_widened_by_what_is_rounded() {
+        for [t, below, above] in
+            [[1.0, 0.25, 0.0], [-1.0, 0.0, 0.5], [0.25, 1.0, 1.0], [0.25, 0.5, -1.0], [0.5, -1.0, 1.0]]
+        {
+            let [low, high] = widened(t, below, above);
+            for off in [t - below - low, high - t - above] {
+                // the sums that are subtracted here are exact but for one more digit
+                assert!((7.0..=25.0).contains(&(off / f64::EPSILON)), "{t} {below} {above}: {off:e}");
+            }
+        }
+        assert_eq!(widened(0.0, 0.0, 0.0), [-f64::MIN_POSITIVE, f64::MIN_POSITIVE]);
+    }
+
+    /// By hand: a ball of radius 1, a mesh of two faces, a cylinder and a cone of chapter 06.
+    #[test]
+    fn what_a_part_is_and_what_is_around_it() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, y]| DVec3::new(x, y, 7.0));
+        let square = triangle::mesh::Mesh::new(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+        let ball = ray_sphere::Sphere { center: DVec3::ZERO, radius: 1.0 };
+        let shapes = [
+            Shape::Sphere(ball),
+            Shape::Mesh(square),
+            Shape::Solid(quadric::Shape::Cylinder),
+            Shape::Solid(quadric::Shape::Cone),
+        ];
+        let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
+        let objects = shapes.map(|shape| Object { id: None, shape }).to_vec();
+        let scene = Scene::<f64> { camera, grid: Grid::Centers, size: (5, 5), objects };
+        let parts = Parts::of(&scene);
+        let faces: Vec<Option<usize>> = (0..parts.count()).map(|part| parts.face(part)).collect();
+        assert_eq!(faces, [None, Some(0), Some(1), None, None]);
+        let objects: Vec<usize> = (0..parts.count()).map(|part| parts.object(part)).collect();
+        assert_eq!(objects, [0, 1, 1, 2, 3]);
+        let boxed = |low, high| Some(Box3 { low, high });
+        assert_eq!(parts.bounds(1), boxed([0.0, 0.0, 7.0], [2.0, 2.0, 7.0]));
+        assert_eq!(parts.bounds(3), boxed([-1.0; 3], [1.0; 3]));
+        assert_eq!(parts.bounds(4), boxed([-0.5, -0.5, 0.0], [0.5, 0.5, 1.0]));
     }
 
     #[test]

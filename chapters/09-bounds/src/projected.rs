@@ -212,7 +212,7 @@ impl View {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
+    use glam::{DVec3, Vec3};
     use math::{Camera, Handedness, Window};
 
     /// From the origin along z, a window of side 2 at distance 1, ten by ten pixels.
@@ -240,6 +240,73 @@ mod tests {
             // the farthest of the window from its middle, and its distance
             assert_eq!(view.reach, 3.0 + 4.0 + 1.0);
         }
+    }
+
+    /// A view of `f32` numbers, at distance 2, of 8 by 3 pixels: its reach is 9, its steps ½ and −2.
+    fn at_two() -> View {
+        let window = Window { left: -1.0, right: 3.0, bottom: -4.0, top: 2.0 };
+        let camera = Camera::looking(Vec3::ZERO, Vec3::Z, Vec3::Y, Handedness::Left, 2.0, window).unwrap();
+        View::of(&Scene::<f32> { camera, grid: Grid::Centers, size: (8, 3), objects: Vec::new() })
+    }
+
+    /// By hand: δ = 16 · 2⁻²⁴ · 9, and 2 δ (1 + 9/2) is 99 · 2⁻²⁰; corners 2⁴⁰ times as large as their z are off by
+    /// 8 · 2⁻⁵² · 2⁴⁰ (2 + 9) = 88 · 2⁻¹².
+    #[test]
+    fn a_ray_may_pass_that_far_beside_its_place() {
+        let (of_ray, of_corners) = (99.0 * scaled(1.0, -20), 88.0 * scaled(1.0, -12));
+        let both = of_ray + of_corners;
+        assert_eq!(at_two().off(scaled(1.0, 40)), [1.0 + both / 0.5, 1.0 + both / 2.0]);
+    }
+
+    /// By hand: the point (3, −6, 6) is seen at (1, −2) of the view plane, in column (1 + ¾)/½ and row (−2 − 1)/−2.
+    #[test]
+    fn a_point_has_its_place_or_is_level_with_the_eye() {
+        let view = at_two();
+        let Place::At { place, size, z } = view.place([3.0, -6.0, 6.0]) else { panic!() };
+        assert_eq!((place, size, z), ([3.5, 1.5], 6.0, 6.0));
+        assert!(matches!(view.place([3.0, -6.0, -6.0]), Place::Behind));
+        for (z, is_level) in [(1e-9, true), (-1e-9, true), (1e-6, false), (-1e-6, false)] {
+            assert_eq!(matches!(view.place([1.0, 0.0, z]), Place::Level), is_level, "{z}");
+        }
+        assert!(matches!(view.place([1.0, f64::INFINITY, 1.0]), Place::Level));
+    }
+
+    /// By hand: at distance 1 a ray of `f64`, whose direction is off by 2⁻⁴⁹ of its reach, goes ahead for sure where
+    /// that is at most ½.
+    #[test]
+    fn a_window_that_is_too_large_has_no_depth() {
+        for (half, has_depth) in [(1.5, true), (2.0, false), (4.0, false)] {
+            let half = half * scaled(1.0, 47);
+            let window = Window { left: -half, right: half, bottom: -1.0, top: 1.0 };
+            let camera =
+                Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
+            let scene = Scene::<f64> { camera, grid: Grid::Centers, size: (8, 3), objects: Vec::new() };
+            assert_eq!(View::of(&scene).has_depth, has_depth, "{half:e}");
+        }
+    }
+
+    #[test]
+    fn pixels_are_those_between_two_places() {
+        assert_eq!(pixels([2.5, 3.5], 1.0, 10), Some(1..=5));
+        assert_eq!(pixels([-9.0, 99.0], 1.0, 10), Some(0..=9));
+        assert_eq!((pixels([-9.0, -3.0], 1.0, 10), pixels([11.5, 99.0], 1.0, 10)), (None, None));
+        for places in [[f64::NEG_INFINITY, 3.0], [3.0, f64::INFINITY], [f64::NAN; 2]] {
+            assert_eq!(pixels(places, 1.0, 10), Some(0..=9), "anywhere");
+        }
+    }
+
+    /// By hand, on a lattice of step ⅕ from −1: x = 2 · 10⁻¹⁶ at z = 10⁻⁶ is 10⁻⁹ of a column beyond the fifth. Where a
+    /// corner is a million times as far aside, its place is off by more.
+    #[test]
+    fn a_rectangle_is_larger_where_its_corners_are_less_certain() {
+        let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
+        let scene = Scene::<f64> { camera, grid: Grid::Lattice, size: (10, 10), objects: Vec::new() };
+        let first = |right: f32| {
+            let bounds = Box3 { low: [2e-16, 0.0, 1e-6], high: [right, 0.0, 1e-6] };
+            *rectangle(&scene, &bounds).unwrap().cols.start()
+        };
+        assert_eq!((first(1e-6), first(1.0)), (4, 3));
     }
 
     /// By hand: at z = 2 the window is 4 wide, so x from 0 to 0.8 is columns 5 and 6, and one more on either

@@ -154,4 +154,8 @@ fn nothing_is_hit_where_nothing_is() {
     assert_eq!(Wide::build(&[]).closest(&ray, Span::ahead(), &mut Uncounted, |_, _| Some(1.0)), None);
     let nothing = WideMesh::of_triangles(&[]);
     assert!(!nothing.any(Method::Robust, &ray, Span::ahead(), &mut Uncounted));
+    assert!(nothing.is_empty());
+    let corner = [glam::DVec3::ZERO, glam::DVec3::X, glam::DVec3::Y];
+    let triangle = Triangle::<f64> { p1: corner[0], p2: corner[1], p3: corner[2] };
+    assert!(!WideMesh::of_triangles(&[triangle]).is_empty());
 }

@@ -241,3 +241,6 @@ impl<R: Real> Tried<'_, R> {
         self.nearest.as_ref().map(|nearest| (nearest.part, nearest.lambda))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -88,3 +88,22 @@ impl LaneSet {
         lane as usize % LANES
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_in_two_sets_is_in_both() {
+        let one = |lane: usize| {
+            let mut column = [-1.0; LANES];
+            column[lane] = 0.5;
+            LaneSet::not_negative::<f64>(&column)
+        };
+        assert_eq!(LaneSet::first(2).and(LaneSet::first(5)), LaneSet::first(2));
+        assert_eq!(
+            (LaneSet::first(2).and(one(1)), LaneSet::first(2).and(one(2))),
+            (one(1), LaneSet::first(0))
+        );
+    }
+}

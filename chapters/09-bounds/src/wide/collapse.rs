@@ -145,6 +145,7 @@ pub(crate) fn most_waiting(nodes: &[Node]) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use super::super::search::Stack;
     use super::*;
     use crate::Box3;
 
@@ -161,5 +162,12 @@ mod tests {
         assert_eq!(most_waiting(&[node(5, None)]), 5);
         assert_eq!(most_waiting(&[node(7, Some(1)), node(3, None)]), 10);
         assert_eq!(most_waiting(&[node(7, Some(1)), node(0, Some(2)), node(1, None)]), 8);
+        // eight levels of seven, and eight more below: 64
+        let deep = |levels: usize| {
+            let above = (1..=levels).map(|below| node(7, Some(below)));
+            above.chain([node(8, None)]).collect::<Vec<Node>>()
+        };
+        assert_eq!((most_waiting(&deep(8)), Stack::of(&deep(8))), (64, Stack::Few));
+        assert_eq!((most_waiting(&deep(9)), Stack::of(&deep(9))), (71, Stack::Many));
     }
 }

@@ -62,3 +62,16 @@ fn baseline<W: Work>(work: W) -> W::Answer {
 fn avx2<W: Work>(work: W) -> W::Answer {
     work.run()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of the best version it depends on the processor.
+    #[test]
+    fn the_baseline_is_what_every_processor_has() {
+        assert!(!Version::of(Instructions::Baseline).has_avx2);
+        #[cfg(target_arch = "x86_64")]
+        assert!(Version::of(Instructions::Best).has_avx2 || !is_x86_feature_detected!("lzcnt"));
+    }
+}

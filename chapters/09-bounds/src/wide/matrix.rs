@@ -37,3 +37,24 @@ impl<R: Real> Lanes<R> for ByMatrix {
         (try_parallel(ray, triangle) == Ok(None)).then_some(t)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Uncounted, WideMesh};
+    use glam::DVec3;
+    use triangle::Method;
+
+    /// From the triangle's plane, up or down: one of the two is −0 as computed, and none as it is answered.
+    #[test]
+    fn a_hit_at_the_origin_is_not_at_minus_zero() {
+        let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let triangle = Triangle { p1: corners[0], p2: corners[1], p3: corners[2] };
+        let mesh = WideMesh::of_triangles(&[triangle]);
+        for direction in [DVec3::Z, -DVec3::Z] {
+            let ray = Ray3::<f64>::new(DVec3::new(1.0, 1.0, 0.0), direction);
+            let hit = mesh.closest(Method::Matrix, &ray, Span::ahead(), &mut Uncounted);
+            assert_eq!(hit.map(|(face, t)| (face, t.to_bits())), Some((0, 0)), "{direction}");
+        }
+    }
+}

@@ -158,3 +158,18 @@ impl<R: Real, C: Tally, L: Lanes<R>> Leaves<R, C> for Blocks<'_, R, L> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Wide;
+
+    #[test]
+    fn a_tree_is_searched_with_what_was_asked_for() {
+        for instructions in [Instructions::Baseline, Instructions::Best] {
+            let version = Version::of(instructions);
+            assert_eq!(Wide::build(&[]).with(instructions).version, version);
+            assert_eq!(WideMesh::<f64>::of_triangles(&[]).with(instructions).version, version);
+        }
+    }
+}

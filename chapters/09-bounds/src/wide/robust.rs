@@ -142,5 +142,42 @@ mod tests {
         assert!(!is_left(0.5, Span::new(0.0, 0.5 - 74.0 * U)));
         assert!(is_left(0.5, Span::new(0.5 + 70.0 * U, 1.0)));
         assert!(!is_left(0.5, Span::new(0.5 + 74.0 * U, 1.0)));
+        assert!(!is_left(-72.0 * U, Span::new(0.0, 0.25)), "past it as well");
+    }
+
+    /// By hand: on the long edge x is 1¾, the volume beyond it 8 (x − 1¾), and its error 16u · 2 (2 · 4 + 3¼ · 6) = 880u.
+    #[test]
+    fn the_long_edge_is_an_edge_too() {
+        assert!(is_left(1.75 + 100.0 * U, Span::ahead()));
+        assert!(!is_left(1.75 + 120.0 * U, Span::ahead()));
+    }
+
+    /// From a corner, so that A⃗ = 0 and λ = 0: the only one in a span that ends there.
+    #[test]
+    fn a_hit_at_the_very_end_of_the_span_is_left() {
+        let [zero, x, y] = [[0.0, 0.0], [64.0, 0.0], [0.0, 64.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let block = Block::of(&[0], &|_| Triangle { p1: zero, p2: x, p3: y });
+        for direction in [DVec3::Z * 64.0, DVec3::Z * -64.0] {
+            let ray = Ray3::<f64>::new(zero, direction);
+            assert!(!ByRobust.candidates(&block, &ray, Span::new(0.0, 0.0)).1.is_empty(), "{direction}");
+        }
+    }
+
+    /// By hand, in units η of the smallest number: a direction so short, 2¹⁴ η, that the volumes of a triangle with
+    /// sides of ½ are whole numbers, 2¹³ η x beside the edge x = 0, and all products with u vanish. A⃗ is 8¼ and
+    /// a little more, and 16η (1 + ½ + ½ + 8¼ + x) is between 164η and 165η.
+    #[test]
+    fn products_that_vanish_are_allowed_for() {
+        let [zero, x, y] = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let block = Block::of(&[0], &|_| Triangle { p1: zero, p2: x, p3: y });
+        let short = 16384.0 * f64::from_bits(1);
+        for (volume, is_left) in [(40, true), (-156, true), (-164, true), (-172, false)] {
+            for side in [8.0, -8.0] {
+                let origin = DVec3::new(f64::from(volume) / 8192.0, 0.25, side);
+                let ray = Ray3::<f64>::new(origin, DVec3::new(0.0, 0.0, -short * side.signum()));
+                let candidates = ByRobust.candidates(&block, &ray, Span::ahead());
+                assert_eq!(!candidates.1.is_empty(), is_left, "{volume} {side}");
+            }
+        }
     }
 }

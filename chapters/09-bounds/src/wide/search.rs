@@ -118,3 +118,32 @@ impl<R: Real, C: Tally, L: Leaves<R, C>, const ANY: bool> Search<'_, R, C, L, AN
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wide::Wide;
+    use crate::{Box3, Uncounted};
+    use glam::Vec3;
+
+    /// 64 points in a row: where any will do the search begins with those near the origin, whichever end that is at.
+    #[test]
+    fn any_hit_is_looked_for_from_the_origin_on() {
+        for axis in 0..3 {
+            let along = |x: f32| std::array::from_fn(|it| if it == axis { x } else { 0.0 });
+            let points: Vec<Box3> = (0..64)
+                .map(|place| along(place as f32))
+                .map(|point| Box3 { low: point, high: point })
+                .collect();
+            let wide = Wide::build(&points);
+            for (origin, direction, near) in [(-1.0, 1.0, 0..8), (64.0, -1.0, 56..64)] {
+                let ray = Ray3::<f32>::new(Vec3::from(along(origin)), Vec3::from(along(direction)));
+                let found = wide.first_found(&ray, Span::ahead(), &mut Uncounted, |_, _| Some(1.0));
+                assert!(
+                    found.is_some_and(|(place, _)| near.contains(&place)),
+                    "{axis} {direction}: {found:?}"
+                );
+            }
+        }
+    }
+}

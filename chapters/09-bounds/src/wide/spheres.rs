@@ -121,3 +121,26 @@ impl Spheres {
         line.glance(&passage)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use math::Ray3;
+
+    /// By hand: five balls ten apart and one whose r² is no number, and a ray through the last of the five or beside them all.
+    #[test]
+    fn four_are_in_a_block_and_those_that_are_met_are_candidates() {
+        let ball = |x: f64, radius: f64| Some(Sphere { center: DVec3::new(x, 0.0, 5.0), radius });
+        let all = (0..5).map(|part| (part, ball(10.0 * part as f64, 1.0)));
+        let (blocks, rest) = Spheres::blocks(all.chain([(5, ball(0.0, 1e300)), (6, None)]));
+        assert_eq!(blocks.iter().map(Spheres::count).collect::<Vec<_>>(), [4, 1]);
+        assert_eq!(blocks.iter().map(Spheres::all).collect::<Vec<_>>(), [0b1111, 0b1]);
+        assert_eq!(rest, [5, 6]);
+        assert_eq!((0..4).map(|lane| blocks[0].part(lane)).collect::<Vec<_>>(), [0, 1, 2, 3]);
+        for (x, candidates) in [(40.0, [0, 1]), (10.0, [0b10, 0]), (5.0, [0, 0])] {
+            let line = Line::of(&Ray3::<f64>::new(DVec3::X * x, DVec3::Z));
+            assert_eq!([0, 1].map(|block: usize| blocks[block].past(&line).candidates), candidates, "{x}");
+        }
+    }
+}
