@@ -101,3 +101,51 @@ pub struct Turned<R: Real> {
     /// The ray came from the side to which the surface's own normal points: of a solid, from without.
     pub from_outside: bool,
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use bounds::Uncounted;
+    use glam::DVec3;
+    use math::{Camera, Grid, Handedness, Ray3, Span, Window};
+    use triangle::mesh::Mesh;
+
+    /// A shape and nothing else, before an eye at the origin that looks along z.
+    pub(crate) fn alone(shape: Shape<f64>) -> signature::Scene<f64> {
+        let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
+        let objects = vec![signature::Object { id: None, shape }];
+        signature::Scene { camera, grid: Grid::Centers, size: (1, 1), objects }
+    }
+
+    /// Where a ray from the origin lands, and (α, β) if `wanted`.
+    pub(crate) fn landing(
+        formulas: Method,
+        shape: Shape<f64>,
+        direction: DVec3,
+        wanted: bool,
+    ) -> Landing<f64> {
+        let scene = alone(shape);
+        let bounded = Bounded::by(formulas, &scene, bounds::Method::None);
+        let query = Query::new(Ray3::new(DVec3::ZERO, direction), Span::ahead());
+        Landing::of(&bounded, &query, &mut Uncounted, |_| wanted).unwrap()
+    }
+
+    /// By hand: from a corner with sides of 4 along x and along y the ray lands 1 and 2 away, so that α = 1/4
+    /// and β = 1/2. A smooth mesh needs them, a flat one never does, and a triangle where it has a texture.
+    #[test]
+    fn a_place_in_a_triangle_is_there_if_anybody_asks() {
+        let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(|[x, y]| DVec3::new(x, y, 4.0));
+        let [p1, p2, p3] = corners;
+        let triangle = || Shape::Triangle(Triangle { p1, p2, p3 });
+        let flat = || Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+        let place = Some((0.25, 0.5));
+        for formulas in Method::ALL {
+            let found =
+                |shape, wanted| landing(formulas, shape, DVec3::new(1.0, 2.0, 4.0), wanted).alpha_beta;
+            assert_eq!([true, false].map(|wanted| found(triangle(), wanted)), [place, None]);
+            assert_eq!([true, false].map(|wanted| found(Shape::Mesh(flat()), wanted)), [None; 2]);
+            assert_eq!([true, false].map(|wanted| found(Shape::Mesh(flat().smooth()), wanted)), [place; 2]);
+        }
+    }
+}

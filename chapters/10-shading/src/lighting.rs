@@ -170,3 +170,50 @@ impl<'a, R: Real> Lighting<'a, R> {
         Fate::Seen(phong(material, point.color, light.intensity, point.turned.n, to_light, point.c))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Painted;
+    use crate::landing::tests::{alone, landing};
+    use glam::DVec3;
+    use ray_sphere::Sphere;
+    use signature::Shape;
+
+    /// What is known of the only part, a ball straight ahead, by rays that leave it.
+    fn leaves(formulas: Method, start: Start, again: Again) -> [Leaves; 2] {
+        let ball = || Shape::Sphere(Sphere { center: DVec3::new(0.0, 0.0, 4.0), radius: 1.0 });
+        let matte = Material { color: Rgb::WHITE, ambient: 0.1, diffuse: 0.5, specular: 0.0, shininess: 1.0 };
+        let scene = Scene {
+            geometry: alone(ball()),
+            painted: vec![Painted { material: 0, texture: None }],
+            materials: vec![matte],
+            lights: Vec::new(),
+            ambient: Rgb::WHITE,
+            background: Rgb::BLACK,
+        };
+        let bounded = Bounded::by(formulas, &scene.geometry, bounds::Method::None);
+        let lighting = Lighting { scene: &scene, bounded: &bounded, start, idle_shadows: false, again };
+        lighting.point(DVec3::Z, landing(formulas, ball(), DVec3::Z, false)).unwrap().starts.leaves
+    }
+
+    /// What is known of a ball, by its kind: a ray away from it cannot meet it again, and one into it starts
+    /// within. Only who starts by the bound knows on which side that is, and only the robust formulas say it in
+    /// the end.
+    #[test]
+    fn a_part_is_spared_where_it_is_sure_that_it_is_not_met_again() {
+        let (passes, idly, within) = (Leaves::Passes(0), Leaves::PassesIdly(0), Leaves::Within(0));
+        let unknown = [Leaves::Unknown; 2];
+        let by_bound = |formulas, again| leaves(formulas, Start::Bound, again);
+        assert_eq!(by_bound(Method::Robust, Again::Never), [passes, within]);
+        assert_eq!(by_bound(Method::Robust, Again::Idly), [idly, within]);
+        assert_eq!(by_bound(Method::Robust, Again::Counted), unknown);
+        for again in [Again::Never, Again::Idly, Again::Counted] {
+            assert_eq!(by_bound(Method::Notes, again), unknown, "{again:?}");
+            for start in [Start::None, Start::Fixed, Start::Scaled] {
+                assert_eq!(leaves(Method::Robust, start, again), unknown, "{start:?} {again:?}");
+            }
+            assert_eq!(leaves(Method::Robust, Start::Exclude, again), [passes; 2], "{again:?}");
+        }
+    }
+}

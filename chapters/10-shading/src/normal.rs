@@ -132,4 +132,12 @@ mod tests {
             assert!(it.cross.dot(p) * other.dot(p) < 0.0);
         }
     }
+
+    /// By hand: at (2⁻⁶⁰⁰, 0, ½) the product of (0, x, 0) and (0, 0, 1) is (x, 0, 0), which is away from the
+    /// axis. Its scalar product with (x, 0, 0) vanishes, and that is not below zero.
+    #[test]
+    fn a_step_from_the_axis_is_enough_to_know_outward() {
+        let it = by_tangents::<f64>(Smooth::Cylinder, DVec3::new((2.0_f64).powi(-600), 0.0, 0.5));
+        assert_eq!((it.n, it.was_turned), (DVec3::X, false));
+    }
 }

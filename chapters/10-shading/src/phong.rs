@@ -166,4 +166,22 @@ mod tests {
         );
         assert!((power(0.25, 2.5) - 1.0 / 32.0).abs() < 1e-17);
     }
+
+    /// r_s = 0: however bright the light, nothing of it is in a highlight; 0 · ∞ is no number.
+    #[test]
+    fn a_matte_surface_has_no_highlight() {
+        let matte = Material { specular: 0.0, ..MATERIAL };
+        let too_bright = Rgb([f64::INFINITY; 3]);
+        let it = phong::<f64>(&matte, Rgb::WHITE, too_bright, DVec3::Y, DVec3::Y, DVec3::Y);
+        assert_eq!((it.diffuse, it.specular), (too_bright, Rgb::BLACK));
+    }
+
+    /// By hand: n⃗·s⃗ = 0 · (−1) + 1 · (−0) + 0 · (−1) is −0, a cosine of a light that is level with the
+    /// surface. The light from there is 0, whose power and whose digits have no sign.
+    #[test]
+    fn no_light_has_no_sign() {
+        for (x, want) in [(-0.0, 0.0), (0.0, 0.0), (-1.0, 0.0), (0.5, 0.5), (1.0 + f64::EPSILON, 1.0)] {
+            assert_eq!(from_zero_to_one::<f64>(x).to_bits(), f64::to_bits(want), "{x}");
+        }
+    }
 }

@@ -177,3 +177,31 @@ fn last_digits<R: Real>(p: R::Vec3) -> R {
     let size: f64 = p.in_f64::<3>().into_iter().map(f64::abs).sum();
     R::round_from(2.0 * digit * size)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// By hand: what goes down starts below, all else above; what runs along the surface does not go into it.
+    #[test]
+    fn a_ray_along_the_surface_starts_above_it() {
+        let (above, below) = (DVec3::new(1.0, 0.25, 2.0), DVec3::new(1.0, -0.25, 2.0));
+        let starts = Starts::<f64> {
+            origins: [above, below],
+            leaves: [Leaves::Passes(3), Leaves::Within(3)],
+            face_normal: DVec3::Y,
+            skipped: 0.0,
+        };
+        let (steep, smallest) = (DVec3::new(1.0, 2.0, 0.0), f64::SMALLEST);
+        for (direction, want) in [
+            (steep, (above, Leaves::Passes(3))),
+            (-steep, (below, Leaves::Within(3))),
+            (DVec3::X, (above, Leaves::Passes(3))),
+            (DVec3::new(-3.0, -smallest, 4.0), (below, Leaves::Within(3))),
+        ] {
+            let query = starts.toward(direction);
+            assert_eq!((query.ray.origin, query.leaves), want, "{direction:?}");
+        }
+    }
+}

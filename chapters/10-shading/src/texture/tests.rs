@@ -71,3 +71,31 @@ fn far_away_there_are_still_squares() {
     assert_eq!(ground.at([1e300, 0.0, -0.5], None), Rgb::WHITE);
     assert_eq!(ground.at([f64::INFINITY, 0.0, f64::INFINITY], None), Rgb::WHITE);
 }
+
+/// By hand, of the normal (1, 2, 2): x is the least of its axes, and x − n⃗/3 is along (4, −1, −1); n⃗ × that is along
+/// (0, 1, −1). The first is √18 long and the second √2.
+///
+/// A component of n⃗, u⃗ or v⃗ is off by less than a dozen roundings, 6 ε, and so is their sum of products with a way
+/// whose components are 6 together at most: 36 ε, and the roundings of that sum, 3 · 6 ε / 2.
+#[test]
+fn the_axes_of_a_slanted_plane_lie_in_it() {
+    let slanted = Mapping::plane([1.0, 2.0, 3.0], [1.0, 2.0, 2.0], None);
+    for (way, want) in [
+        ([4.0, -1.0, -1.0], (18.0_f64.sqrt(), 0.0)),
+        ([0.0, 1.0, -1.0], (0.0, 2.0_f64.sqrt())),
+        ([1.0, 2.0, 2.0], (0.0, 0.0)),
+    ] {
+        let (u, v) = slanted.uv([1.0 + way[0], 2.0 + way[1], 3.0 + way[2]], None);
+        let off = (u - want.0).abs().max((v - want.1).abs());
+        assert!(off <= 45.0 * f64::EPSILON, "{way:?}: {u} {v}");
+    }
+}
+
+/// By hand: 2⁵³ − 1 squares along u and 2 back along v are 2⁵³ − 3 together, which is odd. 2⁵³ + 1 would be
+/// rounded to an even number.
+#[test]
+fn squares_are_told_apart_as_far_as_there_are_odd_numbers() {
+    let largest_odd = (2.0_f64).powi(53) - 1.0;
+    assert_eq!(checker(Mapping::Triangle).color(largest_odd, -2.0), Rgb::BLACK);
+    assert_eq!(checker(Mapping::Triangle).color(largest_odd, -1.0), Rgb::WHITE);
+}

@@ -197,3 +197,6 @@ pub(crate) fn unit_length(n: [f64; 3]) -> [f64; 3] {
     let length = dot(n, n).sqrt();
     if length > 0.0 && length < f64::INFINITY { n.map(|component| component / length) } else { n }
 }
+
+#[cfg(test)]
+mod tests;

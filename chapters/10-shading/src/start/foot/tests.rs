@@ -248,3 +248,33 @@ fn the_point_of_the_hit_is_farther_off() {
     });
     assert!(far.filter(|is_far| *is_far).count() > 20);
 }
+
+/// 1 + 2⁻²⁴ is half way to the next number of f32, and 1 + 2⁻⁵³ of f64.
+#[test]
+fn u_is_half_a_unit_of_the_last_digit() {
+    assert_eq!((unit(24), unit(53)), ((2.0_f64).powi(-24), (2.0_f64).powi(-53)));
+    assert_eq!(AWAY_FROM_ZERO, (2.0_f64).powi(-212));
+}
+
+/// By hand: |1| + |−2| + |4| = 7, so that w = 7 · 2⁻²⁴; of r = 2 that is w²/2 lower. And where w = 1 is more than r = ½
+/// no more than w.
+#[test]
+fn how_much_lower_a_sphere_is_by_then() {
+    assert_eq!(bend::<f32>([1.0, -2.0, 4.0], 2.0), 49.0 * (2.0_f64).powi(-49));
+    assert_eq!(bend::<f32>([0.0, (2.0_f64).powi(24), 0.0], 0.5), 1.0);
+}
+
+/// By hand: the corners of a triangle in z = 0 go round so that its own normal is z. It is turned to the side of the
+/// landing's, and left alone where that is of neither side.
+#[test]
+fn a_foot_has_its_normal_on_the_side_of_the_landing() {
+    let [p1, p2, p3] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(vector::<f64>);
+    let triangle = Shape::Triangle(Triangle { p1, p2, p3 });
+    for (normal, want) in [([0.0, 0.0, 1.0], 1.0), ([0.0, 0.0, -1.0], -1.0), ([1.0, 0.0, 0.0], 1.0)] {
+        let (point, normal) = (vector::<f64>([1.0, 2.0, 0.0]), vector::<f64>(normal));
+        let landing =
+            Landing { object: 0, part: 0, lambda: 1.0, point, face_normal: normal, normal, alpha_beta: None };
+        let foot = of(Method::Robust, &triangle, None, &landing);
+        assert_eq!((foot.point, foot.normal), ([1.0, 2.0, 0.0], [0.0, 0.0, want]));
+    }
+}
