@@ -74,3 +74,23 @@ impl<R: Real> Witness<R> for Counts {
         self.left_out += 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_number_is_added_to_its_own() {
+        let of = |one: u64| Counts {
+            eye: one,
+            shadow: 10 * one,
+            mirror: 100 * one,
+            refracted: 1000 * one,
+            left_out: 10_000 * one,
+            search: bounds::Counts { boxes: 100_000 * one, tests: 1_000_000 * one, hits: 10_000_000 * one },
+        };
+        let mut sum = of(2);
+        sum.add(&of(3));
+        assert_eq!((sum, sum.rays()), (of(5), 5555));
+    }
+}

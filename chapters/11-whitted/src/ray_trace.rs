@@ -282,17 +282,49 @@ mod tests {
 
     use super::*;
 
+    /// A ball before the eye, of one pixel.
+    fn ball(material: &str, light: &str) -> Scene<f64> {
+        let text = format!(
+            "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nsize = [1, 1]\n{light}[material.m]\n{material}\n\
+             [[object]]\nsphere = {{ center = [0, 0, 0], radius = 1 }}\nmaterial = \"m\"\n"
+        );
+        let file = scene_file::Scene::from_toml("scene.toml", &text, std::path::Path::new("")).unwrap();
+        crate::from_file::scene::<f64>(&file, None, None).unwrap()
+    }
+
+    /// By hand: one ray in the middle, four at a quarter and three quarters, the rows first; and of the ball in the middle, with
+    /// a light behind the eye, each is a test and a hit, and its shadow ray a test, as it passes what it leaves. In a tree of
+    /// one box each looks into one box as well.
+    #[test]
+    fn the_rays_of_a_pixel_are_spread_and_counted() {
+        let scene = ball("mirror = 0", "[[light]]\nposition = [0, 0, 9]\nintensity = [1, 1, 1]\n");
+        for (tree, boxes) in [(false, 0), (true, 2)] {
+            let requirements = Requirements { tree, ..Requirements::of(&scene, 1) };
+            let bounded = requirements.bounded(Method::Robust, &scene.lit.geometry);
+            let tracer = Tracer::new(&scene, &bounded, &requirements, None);
+            let rays = |samples: u32| {
+                let mut all = crate::Tree::new();
+                tracer.pixel((0, 0), samples, &mut Path::default(), &mut all);
+                all
+            };
+            let (middle, four) = (rays(1), rays(4));
+            assert_eq!(middle.nodes[0].sent.ray, tracer.ray((0, 0), (0.5, 0.5)));
+            for (place, node) in four.nodes.iter().enumerate() {
+                let within = [place % 4, place / 4].map(|it| (it as f64 + 0.5) / 4.0);
+                assert_eq!(node.sent.ray, tracer.ray((0, 0), (within[0], within[1])), "{place}");
+            }
+            let search = bounds::Counts { boxes, tests: 2, hits: 1 };
+            let counts = crate::Counts { eye: 1, shadow: 1, search, ..crate::Counts::default() };
+            assert_eq!(middle.counts, counts, "{tree}");
+        }
+    }
+
     /// What nothing lights has one color wherever it is hit: r_a I_a C = 0.1. With a light it has it only where r_d + r_s = 0
     /// and no idle ray is wanted.
     #[test]
     fn what_no_light_changes_has_one_color() {
         let of = |material: &str, light: &str, idle: bool| {
-            let text = format!(
-                "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nsize = [1, 1]\n{light}[material.m]\n{material}\n\
-                 [[object]]\nsphere = {{ center = [0, 0, 0], radius = 1 }}\nmaterial = \"m\"\n"
-            );
-            let file = scene_file::Scene::from_toml("scene.toml", &text, std::path::Path::new("")).unwrap();
-            let scene = crate::from_file::scene::<f64>(&file, None, None).unwrap();
+            let scene = ball(material, light);
             let count = Parts::of(&scene.lit.geometry).count();
             let requirements = Requirements { idle_shadows: idle, ..Requirements::of(&scene, count) };
             let bounded = requirements.bounded(Method::Robust, &scene.lit.geometry);

@@ -109,3 +109,12 @@ fn a_grazing_ray_that_is_not_bent_has_an_angle() {
     }
     assert!(above > 0);
 }
+
+/// The angle by which it was made, to eight units of the last digit of the largest.
+#[test]
+fn the_angle_of_a_way_down_is_its_own() {
+    for theta1 in [0.0, 0.001, 30.0, 45.0, 89.0] {
+        let off = refract::<f64>(down(theta1), DVec3::Y, 1.0, 1.5).theta1() - theta1;
+        assert!(off.abs() <= 8.0 * 90.0 * f64::EPSILON, "{theta1}: {off:e}");
+    }
+}

@@ -101,3 +101,24 @@ fn a_light_on_a_surface_is_the_same_whatever_is_modeled() {
     let modeled = picture::<f32>(&file, Method::Robust, 4, |required| required.everything(), None);
     assert_eq!(first_difference(&modeled, &required), None);
 }
+
+/// A solid that bends and lets nothing through, and a plane that lets all through and bends nothing: no stack is needed.
+#[test]
+fn media_are_for_solids_that_let_light_in() {
+    let text = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\n\
+                [[object]]\nmaterial = \"dark\"\nsphere = { center = [0, 0, 0], radius = 1 }\n\
+                [[object]]\nmaterial = \"clear\"\nplane = { point = [0, -2, 0], normal = [0, 1, 0] }\n\
+                [material.dark]\nior = 1.5\n[material.clear]\ntransmit = 1\n";
+    let file = scene_file::Scene::from_toml("scene.toml", text, std::path::Path::new("")).unwrap();
+    let scene = crate::from_file::scene::<f64>(&file, None, None).unwrap();
+    let required = Requirements::of(&scene, 2);
+    assert_eq!((required.refraction, required.media), (true, false));
+}
+
+#[test]
+fn each_feature_has_its_own_name() {
+    let mut names = Feature::ALL.map(Feature::name).to_vec();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), Feature::ALL.len());
+}

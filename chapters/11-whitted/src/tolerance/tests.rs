@@ -126,3 +126,38 @@ fn a_weight_without_digits_counts_as_one_with_all_of_them() {
     let tolerance = Tolerance::new(&scene, 0.0);
     assert!(tolerance.at_most(0.0, 2) >= f64::MIN_POSITIVE * 1e300);
 }
+
+/// By hand: between two mirrors of r_g = ½, B = 0.1, 0.15, 0.175 and 0.1875 from depth 5 up to 2, and the rays of those depths
+/// count with 1/16, 1/8, 1/4 and 1/2: they bring 0.00625, 0.01875, 0.04375 and 0.09375 at most.
+#[test]
+fn a_ray_counts_with_the_coefficients_on_its_way() {
+    let text = "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\nwindow = [-1e-3, 1e-3, -1e-3, 1e-3]\n\
+                [material.m]\ndiffuse = 0\nmirror = 0.5\n\
+                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, 1], normal = [0, 0, 1] }\n\
+                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n";
+    let file = File::from_toml("mirrors.toml", text, std::path::Path::new("")).unwrap();
+    for (e, rays) in
+        [(0.006, 5), (0.007, 4), (0.018, 4), (0.019, 3), (0.043, 3), (0.044, 2), (0.093, 2), (0.094, 1)]
+    {
+        assert_eq!(drawn::<f64>(&file, 5, Some(e)).counts.rays(), rays * 16 * 12, "E = {e}");
+    }
+}
+
+/// By hand: a plane that fills the picture sends two rays on, each of which sees the background and counts with ½. What one
+/// may bring is gone when it has been left out; and where all is black both may be.
+#[test]
+fn what_one_ray_may_bring_is_not_there_for_the_next() {
+    let of = |background: f64| {
+        let text = format!(
+            "background = [{background}, 0, 0]\n[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\n\
+             [material.m]\nambient = 0\ndiffuse = 0\nmirror = 0.5\ntransmit = 0.5\n\
+             [[object]]\nmaterial = \"m\"\nplane = {{ point = [0, 0, 1], normal = [0, 0, 1] }}\n"
+        );
+        File::from_toml("two-ways.toml", &text, std::path::Path::new("")).unwrap()
+    };
+    for (background, e, rays) in [(1.0, 0.4, 3), (1.0, 0.6, 2), (1.0, 0.9, 2), (1.0, 1.1, 1), (0.0, 0.0, 1)] {
+        let counts = drawn::<f64>(&of(background), 2, Some(e)).counts;
+        assert_eq!(counts.rays(), rays * 16 * 12, "{background}, E = {e}");
+        assert_eq!(counts.left_out, (3 - rays) * 16 * 12, "{background}, E = {e}");
+    }
+}
