@@ -59,3 +59,27 @@ impl Stored {
         Stored::new(adjugate.map(|row| row.map(turned)), turned(determinant), mirrors)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Matrix3;
+    use glam::DVec3;
+
+    /// A question with three faults, and with one less each time.
+    #[test]
+    fn the_faults_of_a_question_have_an_order() {
+        let diagonal = |z: f64| Matrix3::from_rows([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, z]]);
+        let of = |z: f64, t: f64, direction: DVec3| {
+            let (ray, affine) =
+                (Ray3::new(DVec3::ZERO, direction), Affine { a: diagonal(z), t: DVec3::X * t });
+            Deformed::<f64>::for_ray(&ray, Object::Sphere, affine).err()
+        };
+        for [z, t] in [[f64::INFINITY, 0.0], [0.0, f64::NAN], [f64::INFINITY, f64::NAN]] {
+            assert_eq!(of(z, t, DVec3::ZERO), Some(Degenerate::NotFinite), "{z} {t}");
+        }
+        assert_eq!(of(0.0, 0.0, DVec3::ZERO), Some(Degenerate::ZeroDirection));
+        assert_eq!(of(0.0, 0.0, DVec3::X), Some(Degenerate::Singular));
+        assert_eq!(of(1.0, 0.0, DVec3::X), None);
+    }
+}

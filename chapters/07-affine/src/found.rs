@@ -95,5 +95,7 @@ mod tests {
             (found.lambda, found.p, found.point, found.normal()),
             (2.0, -DVec3::X, DVec3::X * 2.0, DVec3::X)
         );
+        let at_minus_zero = Found::brought_back(&ray, Hit { t: -0.0, ..hit }, DVec3::X).unwrap();
+        assert_eq!(at_minus_zero.hit().t.to_bits(), 0);
     }
 }

@@ -183,3 +183,18 @@ impl<R: Real> Working<'_, R> {
         deformed.parallel(ray)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_has_its_own_name() {
+        for mut names in [Object::ALL.map(Object::name).to_vec(), Method::ALL.map(Method::name).to_vec()] {
+            let count = names.len();
+            names.sort_unstable();
+            names.dedup();
+            assert_eq!(names.len(), count, "{names:?}");
+        }
+    }
+}

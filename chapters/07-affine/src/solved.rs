@@ -150,4 +150,23 @@ mod tests {
         let turned = eliminate([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]], [[2.0, 3.0, 1.0]]);
         assert_eq!(turned.solutions(), [[1.0, 2.0, 3.0]]);
     }
+
+    /// By hand: 49 times the number next to 1/49 is not 1, and below the diagonal all is zero nevertheless.
+    #[test]
+    fn below_the_diagonal_are_zeros() {
+        assert_ne!(1.0 - (1.0 / 49.0) * 49.0, 0.0);
+        let done = eliminate([[49.0, 1.0, 2.0], [1.0, 49.0, 3.0], [-1.0, 1.0, 5.0]], [[0.0; 3]]);
+        assert_eq!([done.u[1][0], done.u[2][0], done.u[2][1]], [0.0; 3]);
+    }
+
+    /// By hand: a sphere of radius 2 at the origin, and a ray along x from −9.
+    #[test]
+    fn a_sphere_by_hand() {
+        use glam::DVec3;
+        let twice = Matrix3::from_rows([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]);
+        let affine = crate::Affine { a: twice, t: DVec3::ZERO };
+        let sphere = Deformed::<f64>::new(crate::Object::Sphere, affine).unwrap();
+        let hit = solved(&Ray3::new(DVec3::X * -9.0, DVec3::X), &sphere).hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!((hit.t, hit.point, hit.normal), (7.0, DVec3::X * -2.0, -DVec3::X));
+    }
 }

@@ -155,6 +155,19 @@ mod tests {
         assert!((turn([0.0, 0.0, 1.0], 30.0).times(DVec3::X).y - 0.5).abs() < 1e-16);
     }
 
+    /// A quarter turn more makes of the cosine the sine and of the sine the cosine with the other sign, to the last bit.
+    #[test]
+    fn a_quarter_turn_more_changes_places() {
+        for degrees in [10.0, 20.0, 44.0, -44.0] {
+            let (sin, cos) = sin_cos(degrees);
+            for (turn, want) in
+                [(90.0, (cos, -sin)), (180.0, (-sin, -cos)), (270.0, (-cos, sin)), (360.0, (sin, cos))]
+            {
+                assert_eq!(sin_cos(degrees + turn), want, "{degrees} and {turn}");
+            }
+        }
+    }
+
     /// By hand: (1, 0, 0) is scaled to (2, 0, 0), turned to (0, 2, 0), moved to (0, 2, 5).
     #[test]
     fn steps_are_done_in_the_order_written() {

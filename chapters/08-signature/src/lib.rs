@@ -134,3 +134,13 @@ impl Method {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_method_has_its_own_name() {
+        assert_ne!(Method::Robust.name(), Method::Notes.name());
+    }
+}

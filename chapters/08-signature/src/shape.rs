@@ -121,3 +121,30 @@ impl<R: Real> Shape<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// Of each flat shape in the plane z = 0, and of one that is round.
+    #[test]
+    fn a_ray_along_a_flat_shape_is_parallel() {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let flat = affine::Affine { a: affine::Matrix3::identity(), t: DVec3::ZERO };
+        let ray =
+            |z: f64, slope: f64| Ray3::<f64>::new(DVec3::new(-1.0, 0.25, z), DVec3::new(1.0, 0.0, slope));
+        for shape in [
+            Shape::Plane(Plane { point: DVec3::ZERO, normal: DVec3::Z }),
+            Shape::Triangle(Triangle { p1: corners[0], p2: corners[1], p3: corners[2] }),
+            Shape::Polygon(Polygon::new(corners.to_vec()).unwrap()),
+            Shape::Deformed(Box::new(Deformed::new(affine::Object::Plane, flat).unwrap())),
+        ] {
+            assert_eq!(shape.parallel(&ray(1.0, 0.0)), Some(Parallel::Apart), "{}", shape.name());
+            assert_eq!(shape.parallel(&ray(0.0, 0.0)), Some(Parallel::Within), "{}", shape.name());
+            assert_eq!(shape.parallel(&ray(1.0, -1.0)), None, "{}", shape.name());
+        }
+        let round = Shape::Sphere(Sphere { center: DVec3::ZERO, radius: 1.0 });
+        assert_eq!(round.parallel(&ray(2.0, 0.0)), None);
+    }
+}

@@ -43,6 +43,16 @@ mod tests {
     use glam::DVec3;
     use ray_sphere::Sphere;
 
+    /// Of two that are hit at the same t the listing keeps the first.
+    #[test]
+    fn of_two_at_the_same_t_the_first_is_kept() {
+        let sphere =
+            Object { id: None, shape: Shape::Sphere(Sphere { center: DVec3::Z * 3.0, radius: 1.0 }) };
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+        let first = trace_ray(Method::Robust, &ray, &[sphere.clone(), sphere], [0.0, f64::INFINITY]);
+        assert_eq!(first, Some(First { object: 0, lambda: 2.0 }));
+    }
+
     /// By hand, Figure 2-10: from the origin the ray (0, −1/3, 1) meets the red sphere, whose center is (0, −1, 3). One more
     /// sphere stands before the view plane, where t < 1.
     #[test]

@@ -114,6 +114,90 @@ fn a_point_at_the_end_of_the_range_is_a_number() {
     assert!(off.abs().max_element() <= 4.0 * f64::EPSILON, "{point}");
 }
 
+/// The same where λ is infinite, as the direction is that short.
+#[test]
+fn a_point_is_a_number_where_lambda_is_none() {
+    let (end, radius) = (2.0_f64.powi(1023), 1.5 * 2.0_f64.powi(1023));
+    let sphere =
+        deformed(Object::Sphere, [[radius, 0.0, 0.0], [0.0, radius, 0.0], [0.0, 0.0, radius]], [0.0; 3]);
+    let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::new(2.0, 2.0, 1.0) / 1024.0);
+    let hit = robust(&ray, &sphere).hit(Span::ahead()).unwrap().unwrap();
+    let off = hit.point / end - DVec3::new(1.0, 1.0, 0.5);
+    assert!(hit.t.is_infinite() && off.abs().max_element() <= 4.0 * f64::EPSILON, "{hit:?}");
+}
+
+/// By hand: from 10¹⁶ away λ is a whole number and the point's y, −1, is lost in a + λ d. It is A r′ + t.
+#[test]
+fn a_point_is_added_up_from_the_smaller_vector() {
+    let sphere = deformed(Object::Sphere, IDENTITY, [0.0; 3]);
+    let hit = |y: f64| robust(&Ray3::<f64>::new(DVec3::Y * y, DVec3::Y), &sphere).hit(Span::ahead());
+    assert_eq!(hit(-1e16).unwrap().unwrap().point, -DVec3::Y);
+    // and from next to it a + λ d is: ½ away
+    assert_eq!(hit(-1.5).unwrap().unwrap().point, -DVec3::Y);
+}
+
+/// By hand: of diag(±2, 3, 4) the adjugate is diag(12, ±8, ±6), and the determinant ±24.
+#[test]
+fn the_adjugate_has_the_sign_of_the_determinant_taken_out() {
+    for side in [1.0, -1.0] {
+        let rows = [[side * 2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 4.0]];
+        let sphere = deformed(Object::Sphere, rows, [0.0; 3]);
+        let worked = robust(&Ray3::<f64>::new(DVec3::ZERO, DVec3::X), &sphere);
+        let adjugate = [[side * 12.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 6.0]];
+        assert_eq!(worked.adjugate(), (adjugate, 24.0));
+        // o″ × d″ = det A w
+        let steps =
+            robust(&Ray3::<f64>::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 0.0, 2.0)), &sphere).steps;
+        let across = DVec3::from(steps.o).cross(DVec3::from(steps.d));
+        assert_eq!(across, side * 24.0 * DVec3::from(steps.w), "{side}");
+    }
+}
+
+/// By hand: (−1, 0, 2) + λ (1, 0, −2) runs along one slope of the cone, and meets the other in (−¼, 0, ½).
+#[test]
+fn along_one_slope_the_other_is_met_once() {
+    let cone = deformed(Object::Cone, IDENTITY, [0.0; 3]);
+    let hit = robust(&Ray3::<f64>::new(DVec3::new(-1.0, 0.0, 2.0), DVec3::new(1.0, 0.0, -2.0)), &cone);
+    let hit = hit.hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point), (0.75, DVec3::new(-0.25, 0.0, 0.5)));
+    let narrow = Deformed::<f32>::new(
+        Object::Cone,
+        Affine { a: Matrix3::from_rows(IDENTITY.map(|row| row.map(|x| x as f32))), t: glam::Vec3::ZERO },
+    );
+    let ray = Ray3::<f32>::new(glam::Vec3::new(-1.0, 0.0, 2.0), glam::Vec3::new(1.0, 0.0, -2.0));
+    assert_eq!(robust(&ray, &narrow.unwrap()).hit(Span::ahead()).unwrap().unwrap().t, 0.75);
+}
+
+/// By hand: chords from λ = 1 to 2, one end of which is 2⁻³⁰ above the plane z = 0, or next to the cone's apex. Where they
+/// leave, all digits of z are right, or of x and y: nothing was lost in a difference.
+#[test]
+fn where_a_chord_leaves_nothing_is_lost() {
+    let little = 2.0_f64.powi(-30);
+    let near_apex = 2.0_f64.powi(-24);
+    for (object, size, enters, leaves) in [
+        (Object::Cylinder, 5.0, [-4.0, 3.0, -4.0], [3.0, 4.0, little]),
+        (Object::Cylinder, 5.0, [-4.0, 3.0, little], [3.0, 4.0, 4.0]),
+        (Object::Cylinder, 5.0, [-4.0, 3.0, 4.0], [3.0, 4.0, -little]),
+        (Object::Cone, 16.0, [-3.0, -4.0, 0.0], [3.0 * near_apex, 4.0 * near_apex, 16.0 - 10.0 * near_apex]),
+        (Object::Cone, 16.0, [3.0, 0.0, 0.0], [3.0 * near_apex, 4.0 * near_apex, 16.0 - 10.0 * near_apex]),
+    ] {
+        let larger = [[size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]];
+        let deformed = deformed(object, larger, [0.0; 3]);
+        let (enters, leaves) = (DVec3::from(enters), DVec3::from(leaves));
+        let ray = Ray3::<f64>::new(enters - (leaves - enters), leaves - enters);
+        let found = robust(&ray, &deformed).found(Span::new(1.5, f64::INFINITY)).unwrap().unwrap();
+        assert_eq!(found.lambda, 2.0, "{} {leaves}", object.name());
+        let off = found.p - leaves / size;
+        for axis in 0..3 {
+            assert!(
+                off[axis].abs() <= 4.0 * f64::EPSILON * (leaves[axis] / size).abs(),
+                "{} {off}",
+                object.name()
+            );
+        }
+    }
+}
+
 /// A ray that starts on the surface and looks farther finds where it leaves.
 #[test]
 fn what_comes_too_early_is_passed_over() {
