@@ -31,9 +31,34 @@ fn is_not_zero<N: Sure>(n: [N; 3]) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use glam::Vec3;
+    use math::Wide;
+
+    /// n_z of [`sliver`] as a multiple of 2^−90.
+    pub(crate) const SLIVER_RISE: f64 = 1.0 + 3.0 / (1u64 << 17) as f64;
+
+    /// Corners of which twice the digits are not enough for a normal: the products cancel to 2^−90, and what the sum
+    /// of lower parts rounds away, some 2^−106, is a 2^16th of that.
+    ///
+    /// By hand, with h = 2^−52 and b = 3 · 2^−55, e1 = (1 + ih, 1 + kh − b, 0) and e2 = (1 + lh, 1 + jh − b, 2^−90),
+    /// with k = j − 1 and l = i + 1. n_x is 2^−90 (1 + kh − b), and since i + j is k + l, n_z is
+    /// (ij − kl) h² + b (l − i) h = (i − j + 1) h² + b h. With i − j = 2^14 − 1 that is 2^−90 (1 + 3 · 2^−17).
+    pub(crate) fn sliver() -> [[f64; 3]; 3] {
+        let h = |of: u64| 1.0 + of as f64 / (1u64 << 52) as f64;
+        let (i, b) = ((3 << 50) + 1, 3.0 / (1u64 << 55) as f64);
+        let j = i - (1 << 14) + 1;
+        let up = 1.0 / (1u128 << 90) as f64;
+        [[0.0, b, 0.0], [h(i), h(j - 1), 0.0], [h(i + 1), h(j), up]]
+    }
+
+    /// The sliver's numbers are what is said, exactly.
+    #[test]
+    fn the_rise_of_the_sliver() {
+        let n_z = normal::<Exact>(sliver())[2].to_wide() * Wide::from((1u128 << 90) as f64);
+        assert_eq!(n_z.to_f64(), SLIVER_RISE);
+    }
 
     fn spans(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
         has_area(&Triangle::<f64> { p1: a.into(), p2: b.into(), p3: c.into() })

@@ -178,4 +178,21 @@ mod tests {
         let lost = half_planes(&Ray3::new(DVec3::ZERO, DVec3::Z), &nowhere);
         assert_eq!(lost.hit(Span::ahead()), Err(Degenerate::NotFinite));
     }
+
+    /// By hand: d · n = −8, and so λ* = 0/−8, which is −0.
+    #[test]
+    fn a_ray_that_leaves_the_corner_downward_starts_at_zero() {
+        let touching = half_planes(&Ray3::new(TRIANGLE.p1, -DVec3::Z), &TRIANGLE);
+        assert_eq!(touching.lambda.to_bits(), (-0.0_f64).to_bits());
+        assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0.0_f64.to_bits());
+    }
+
+    /// By hand: above (1½, 2^1022) the side of the first edge is 8 · 4 · 2^1022, which overflows, and that of the
+    /// third is 8: α = 8/64.
+    #[test]
+    fn there_are_two_shares_or_none() {
+        let far = half_planes(&Ray3::new(DVec3::new(1.5, 2.0_f64.powi(1022), 0.0), DVec3::Z), &TRIANGLE);
+        assert_eq!((far.sides[2], far.sides[0]), (8.0, f64::INFINITY));
+        assert_eq!(far.alpha_beta(), None);
+    }
 }

@@ -196,3 +196,14 @@ impl<R: Real> Working<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What `--method` takes is part of the command line, and is not to change by accident.
+    #[test]
+    fn the_names_that_method_takes() {
+        assert_eq!(Method::ALL.map(Method::name), ["half-planes", "matrix", "robust"]);
+    }
+}

@@ -184,4 +184,20 @@ mod tests {
         let flat = matrix(&Ray3::new(DVec3::ZERO, DVec3::Z), &line);
         assert_eq!(flat.hit(Span::ahead()), Err(Degenerate::NoArea));
     }
+
+    /// By hand: det = −8, and so λ = 0/−8, which is −0.
+    #[test]
+    fn a_ray_that_leaves_the_corner_downward_starts_at_zero() {
+        let touching = matrix(&Ray3::new(TRIANGLE.p1, -DVec3::Z), &TRIANGLE);
+        assert_eq!(touching.lambda.to_bits(), (-0.0_f64).to_bits());
+        assert_eq!(touching.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0.0_f64.to_bits());
+    }
+
+    /// By hand, above (1½, 2^1022): det_α = −2 (1 − 1½) = 1 of 8, and det_β = −4 (1 − 2^1022) overflows.
+    #[test]
+    fn there_are_two_shares_or_none() {
+        let far = matrix(&Ray3::new(DVec3::new(1.5, 2.0_f64.powi(1022), 0.0), DVec3::Z), &TRIANGLE);
+        assert_eq!((far.alpha, far.beta), (0.125, f64::INFINITY));
+        assert_eq!(far.alpha_beta(), None);
+    }
 }

@@ -110,4 +110,15 @@ mod tests {
             assert_eq!(mt.hit(Span::ahead()), page.hit(Span::ahead()));
         }
     }
+
+    /// By hand: from a corner s = 0, so that λ = 0/det, and of one of the two directions det is below zero.
+    #[test]
+    fn a_ray_that_starts_at_a_corner_starts_at_zero() {
+        let triangle = Triangle::<f64> { p1: DVec3::ZERO, p2: DVec3::X, p3: DVec3::Y };
+        let works = [1.0, -1.0].map(|d| moller_trumbore(&Ray3::new(DVec3::ZERO, DVec3::Z * d), &triangle));
+        assert_eq!(works.map(|work| work.det), [-1.0, 1.0]);
+        for work in works {
+            assert_eq!(work.hit(Span::ahead()).unwrap().unwrap().t.to_bits(), 0.0_f64.to_bits());
+        }
+    }
 }

@@ -158,4 +158,35 @@ mod tests {
         case.copy_within(6..9, 12);
         assert_eq!(reason(case), Err(Degenerate::NoArea));
     }
+
+    /// By hand: in the plane of two axes the edges (x, y) and (1, 1), and d the unit vector of the third. d · n = x −
+    /// y, of size x + y, and so the bound is 2^−49 (x + y), beside which 1e−290 is nothing.
+    #[test]
+    fn it_surely_crosses_by_more_than_the_bound() {
+        let unit = 1.0 / (1u64 << 52) as f64;
+        for axis in 0..3 {
+            let crosses = |x: f64, y: f64| {
+                let place = |u: f64, v: f64, along: f64| {
+                    let mut place = [0.0; 3];
+                    (place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]) = (along, u, v);
+                    DVec3::from(place)
+                };
+                let triangle =
+                    Triangle::<f64> { p1: DVec3::ZERO, p2: place(x, y, 0.0), p3: place(1.0, 1.0, 0.0) };
+                [1.0, -1.0].map(|d| surely_crosses(&Ray3::new(DVec3::ZERO, place(0.0, 0.0, d)), &triangle))
+            };
+            assert_eq!(crosses(4.0, 1.0), [true; 2], "3 is more than 2^−49 · 5");
+            assert_eq!(
+                crosses(1.0 + 17.0 * unit, 1.0),
+                [true; 2],
+                "2^−48 (1 + 2^−4) is more than 2^−48 (1 + 2^−49)"
+            );
+            assert_eq!(crosses(1.0 + 16.0 * unit, 1.0), [false; 2], "2^−48 is less than that");
+            assert_eq!(
+                crosses(1.0 + 8.0 * unit, 1.0 - 8.0 * unit),
+                [false; 2],
+                "2^−48 is not more than 2^−49 · 2"
+            );
+        }
+    }
 }

@@ -99,8 +99,9 @@ impl<R: Real> Polygon<R> {
         self.plane
     }
 
-    /// The two axes of space, 0 to 2, that are left when the one along which n is longest is dropped: seen along
-    /// that one the polygon is widest. Their order is such that its corners still turn counterclockwise.
+    /// The two axes of space, 0 to 2, that are left when the one along which n is longest is dropped, of several the
+    /// first: seen along that one the polygon is widest. Their order is such that its corners still turn
+    /// counterclockwise.
     pub fn axes(&self) -> [usize; 2] {
         self.axes
     }

@@ -113,8 +113,7 @@ impl<R: Real> Robust<R> {
     fn point(&self) -> R::Vec3 {
         let [o, d] = [self.ray.origin, self.ray.direction].map(Vector::in_f64::<3>);
         let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| o[axis] + self.fine_lambda * d[axis]);
-        // λ may be infinite or vanish, and λ d may overflow, though x does not.
-        if !(x + y + z).is_finite() || self.fine_lambda.abs() < f64::MIN_POSITIVE {
+        if !are_ordinary(self.fine_lambda, [x, y, z]) {
             return carefully::point(self.ray, self.triangle);
         }
         R::vec3(R::round_from(x), R::round_from(y), R::round_from(z))
@@ -128,6 +127,12 @@ impl<R: Real> Robust<R> {
         let [x, y, z] = n.map(|component| R::round_from(component * one_over));
         R::vec3(x, y, z)
     }
+}
+
+/// Whether plain `f64` is enough for a point: λ may be infinite or vanish, and λ d may overflow, though x does not.
+#[inline(always)]
+fn are_ordinary(lambda: f64, [x, y, z]: [f64; 3]) -> bool {
+    (x + y + z).is_finite() && lambda.abs() >= f64::MIN_POSITIVE
 }
 
 #[cfg(test)]

@@ -95,3 +95,34 @@ impl Volumes {
             && self.to_p1_size + self.edges() <= *SAFE.end()
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// What the bound is for the rays of [`inside_by`].
+    pub(crate) const BOUND: f64 = 1.0 / (1u64 << 48) as f64;
+
+    /// Along z from the world's origin, with edges of 1 along x and along y, and then with these exchanged. The line
+    /// of the ray is so far inside of one edge, or outside where it is below zero.
+    pub(crate) fn inside_by(e: f64) -> [(Ray3<f64>, Triangle<f64>); 2] {
+        let p1 = DVec3::new(e.abs() - 0.25, -e, 0.25);
+        let (p2, p3) = (p1 + DVec3::X, p1 + DVec3::Y);
+        let ray = Ray3::new(DVec3::ZERO, DVec3::Z);
+        [(ray, Triangle { p1, p2, p3 }), (ray, Triangle { p1, p2: p3, p3: p2 })]
+    }
+
+    /// By hand, with A = (x, y, ¼): v = −x, w = −y and u = 1 + x + y, and |A| = ½. The bound is
+    /// 2^−49 (1 · 1 + ½ (1 + 1)). The other way round v and w are exchanged, and all have the other sign.
+    #[test]
+    fn the_volumes_and_their_bound() {
+        for e in [BOUND, -BOUND, 2.0 * BOUND, -2.0 * BOUND] {
+            let [one, other] = inside_by(e).map(|(ray, triangle)| Volumes::of(&ray, &triangle));
+            let [u, v, w] = [0.75 + e.abs() - e, 0.25 - e.abs(), e];
+            assert_eq!((one.uvw, one.d_dot_n, one.error), ([u, v, w], 1.0, BOUND));
+            assert_eq!((other.uvw, other.d_dot_n, other.error), ([-u, -w, -v], -1.0, BOUND));
+            assert!(one.are_in_range() && other.are_in_range());
+        }
+    }
+}

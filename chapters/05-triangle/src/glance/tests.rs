@@ -188,3 +188,27 @@ fn how_sure() {
     }
     insta::assert_snapshot!(lab::glances(&crate::stage::RayTriangle, 200, [at::<f32>, at::<f64>]));
 }
+
+/// By hand: see `volumes.rs`. At the bound itself nothing is certain, and at twice the bound it is.
+#[test]
+fn what_is_at_the_bound_is_not_called() {
+    use crate::volumes::tests::{BOUND, inside_by};
+    let called = |e: f64| inside_by(e).map(|(ray, triangle)| glance(&ray, &triangle));
+    assert_eq!([called(BOUND), called(-BOUND)], [[Glance::Unsure; 2]; 2]);
+    assert_eq!(called(-2.0 * BOUND), [Glance::Misses; 2]);
+    assert!(
+        called(2.0 * BOUND).iter().all(|glance| matches!(glance, Glance::Once(around) if around.t == 0.25))
+    );
+}
+
+/// By hand: e1 = (1, 0, 0) and e2 = (1 − 2^−49, h, 0), so that |n| = h and |e1| |e2| = 1 to the last digit. The
+/// volumes of the ray, 1 beside the edge, are 1 and −1. At |n| = 2^−49 it may be a line.
+#[test]
+fn a_miss_is_called_where_there_is_an_area_for_certain() {
+    let least = 1.0 / (1u64 << 49) as f64;
+    let called = |h: f64| {
+        let triangle = Triangle { p1: DVec3::ZERO, p2: DVec3::X, p3: DVec3::new(1.0 - least, h, 0.0) };
+        glance(&Ray3::<f64>::new(-DVec3::Y, DVec3::Z), &triangle)
+    };
+    assert_eq!([called(least), called(least.next_up())], [Glance::Unsure, Glance::Misses]);
+}

@@ -98,4 +98,12 @@ mod tests {
         assert!(away.iter().all(|r| (0.625..=1.375).contains(r)));
         assert!(away.iter().any(|&r| r < 0.9) && away.iter().any(|&r| r > 1.1), "bumpy");
     }
+
+    /// By hand: 4x³ − 3x is −1 at ½, −11/16 at ¼ and 1 at 1, and so b = 11/16 − 11/16 − 1 = −1, and the vertex is at
+    /// 7/8. (The formula asks for no unit vector.) Along an axis two of the waves are 0, and b is too.
+    #[test]
+    fn a_vertex_is_pushed_out_by_its_waves() {
+        assert_eq!(pushed_out(f64::vec3(0.5, 0.25, 1.0)), [0.4375, 0.21875, 0.875]);
+        assert_eq!(pushed_out(f64::vec3(0.0, -1.0, 0.0)), [0.0, -1.0, 0.0]);
+    }
 }

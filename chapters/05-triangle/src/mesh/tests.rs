@@ -144,3 +144,34 @@ fn a_ray_from_inside_the_ball_meets_it() {
         assert_eq!(outward, -found.hit.normal, "seen from inside");
     }
 }
+
+/// By hand: (0, 1, 0) × (−4, 0, 3) = (3, 0, 4), which is 5 long. 3/5 and 4/5 are rounded once.
+#[test]
+fn the_normal_of_a_lone_face_is_a_unit_vector() {
+    let vertices = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-4.0, 0.0, 3.0]].map(DVec3::from);
+    let mesh = Mesh::<f64>::new(vertices.to_vec(), vec![[0, 1, 2]]).unwrap().smooth();
+    assert_eq!(mesh.normals(), Some(&[[DVec3::new(0.6, 0.0, 0.8); 3]][..]));
+}
+
+/// By hand: a quarter of X and of Y, which have 0, and half of Z: (¼, ¼, ½), which is √6/4 long.
+#[test]
+fn a_normal_is_interpolated_between_the_corners() {
+    let none = [None; 3];
+    let mesh = square().with_normals(&[[Some(DVec3::X), Some(DVec3::Y), Some(DVec3::Z)], none]).unwrap();
+    assert_eq!(mesh.normal_at(0, (1.0, 0.0)), Some(DVec3::Y));
+    let n = mesh.normal_at(0, (0.25, 0.5)).unwrap();
+    // twice as long along z to the last digit, and of length 1 to the roundings of its three components
+    assert_eq!((n.y, n.z), (n.x, 2.0 * n.x));
+    assert!((n.length_squared() - 1.0).abs() <= 4.0 * f64::EPSILON, "{n}");
+    assert_eq!(square().normal_at(0, (0.25, 0.5)), None, "shaded flat");
+    let opposite = [[Some(DVec3::X), Some(-DVec3::X), None], none];
+    assert_eq!(square().with_normals(&opposite).unwrap().normal_at(0, (0.5, 0.0)), None, "they cancel");
+}
+
+/// By hand: d · n = 0, which is not from behind.
+#[test]
+fn from_the_side_nothing_is_turned() {
+    let hit = Hit { t: 1.0, point: DVec3::ZERO, normal: DVec3::Z };
+    let found = MeshHit::<f64> { hit, face: 0, alpha_beta: None, shading_normal: DVec3::Y };
+    assert_eq!(found.turned_toward(DVec3::X), [DVec3::Z, DVec3::Y]);
+}

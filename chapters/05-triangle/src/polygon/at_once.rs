@@ -149,3 +149,125 @@ impl AtOnce {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In the plane z = 0; n = (0, 0, 8).
+    const SQUARE: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
+    /// In the plane x + z = 0; n = (1, 0, 1).
+    const SLOPED: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
+
+    fn of(corners: &[[f64; 3]], origin: [f64; 3], direction: [f64; 3]) -> Option<AtOnce> {
+        let polygon = Polygon::new(corners.iter().map(|&corner| corner.into()).collect()).unwrap();
+        AtOnce::of(&polygon, &Ray3::<f64>::new(origin.into(), direction.into()))
+    }
+
+    fn units(of: f64) -> f64 {
+        of / (1u64 << 50) as f64
+    }
+
+    /// By hand, with d = (1 + x, 0, −1 + z): D = x + z of S_D = 2 + x − z, so that D is off by 2^−49 where x = z, and
+    /// twice that is too much.
+    #[test]
+    fn a_ray_along_the_plane_is_left_open() {
+        let at = |x: f64, z: f64| of(&SLOPED, [0.0, 0.0, 1.0], [1.0 + units(x), 0.0, units(z) - 1.0]);
+        assert!(at(2.0, 2.0).is_none(), "D = 2^−48 is not more than 2 · 2^−49");
+        assert!(at(4.0, 2.0).is_some(), "D = 3 · 2^−49 is more than 2 (2^−49 + 2^−99)");
+    }
+
+    /// By hand: N = 5, off by 5 · 2^−50, and D = 5 · 2^−49, off by 2^−49. t = 2^49 is off by (5 · 2^−50 + 1) / (4 ·
+    /// 2^−49) = 2^47 + 5/8, and by 2^−52 of itself, which is 1/8.
+    #[test]
+    fn how_far_t_may_be_off() {
+        let point = of(&SLOPED, [-5.0, 0.0, 0.0], [1.0 + units(5.0), 0.0, units(5.0) - 1.0]).unwrap();
+        let (t, off) = (2.0_f64.powi(49), 2.0_f64.powi(47) + 0.75);
+        assert_eq!(point.around(), Around { t, off });
+    }
+
+    /// By hand: t = 2^200 / 2^−400. The point is found where it is a number, however large; two that are as far in
+    /// opposite directions have a sum of 0.
+    #[test]
+    fn a_point_far_away_is_found() {
+        let along = |d_u: f64, d_v: f64| {
+            let origin = [0.0, 0.0, -2.0_f64.powi(200)];
+            of(&SQUARE, origin, [d_u, d_v, 2.0_f64.powi(-400)]).map(|point| point.x)
+        };
+        let far = 2.0_f64.powi(600);
+        assert_eq!(along(1.0, 1.0), Some([far; 2]));
+        assert_eq!(along(1.0, -1.0), Some([far, -far]));
+        let (step, farthest) = (1.5 * 2.0_f64.powi(423), 1.5 * 2.0_f64.powi(1023));
+        assert_eq!(along(step, -step), Some([farthest, -farthest]));
+        for (d_u, d_v) in [(far, 0.0), (0.0, far), (-far, far)] {
+            assert_eq!(along(d_u, d_v), None, "2^1200 is none");
+        }
+    }
+
+    /// At t, and off by so much.
+    fn at(t: f64, t_off: f64) -> AtOnce {
+        AtOnce { t, t_off, x: [0.0; 2], off: [0.0; 2], low: [0.0; 2], high: [0.0; 2] }
+    }
+
+    /// By hand: off by less than it is behind, by as much, and by more; and ahead.
+    #[test]
+    fn behind_is_behind_by_more_than_it_is_off() {
+        let behind =
+            [(-1.0, 0.5), (-1.0, 1.0), (-1.0, 2.0), (1.0, 0.5)].map(|(t, off)| at(t, off).is_behind());
+        assert_eq!(behind, [true, false, false, false]);
+    }
+
+    /// By hand: 2^20 (1 − 2^−20) is 2^20 − 1.
+    #[test]
+    fn a_span_ends_before_what_is_clearly_more() {
+        let is_out =
+            |t: f64, off: f64, min: f64, max: f64| at(t, off).is_before_or_after(Span::<f64>::new(min, max));
+        assert!(is_out(-1.0, 0.5, 0.0, 9.0), "behind the origin");
+        assert!(!is_out(-1.0, 0.5, -2.0, 9.0), "behind the origin, and so is the span");
+        assert!(!is_out(-1.0, 1.0, 0.0, 9.0), "at the origin, perhaps");
+        assert!(is_out(4.0, 0.5, 0.0, 3.0), "3.5 is more than 3");
+        assert!(!is_out(4.0, 0.5, 0.0, 3.75), "3.5 is not");
+        let million = (1 << 20) as f64;
+        assert!(!is_out(million, 0.0, 0.0, million - 1.0), "clearly more is more than 2^20 − 1");
+        assert!(is_out(million.next_up(), 0.0, 0.0, million - 1.0));
+        assert!(!is_out(1.0, 0.0, 0.0, SMALLEST_END), "so small an end has few digits");
+        assert!(is_out(1.0, 0.0, 0.0, SMALLEST_END.next_up()));
+    }
+
+    /// The point (x, y), off by so much along u, and not along v.
+    fn point(x: f64, y: f64, off: f64) -> AtOnce {
+        let (low, high) = ([x - off, y], [x + off, y]);
+        AtOnce { t: 1.0, t_off: 0.0, x: [x, y], off: [off, 0.0], low, high }
+    }
+
+    /// By hand: beside the side from (0, 0) to (0, 4), x may be as far off as the side is away.
+    #[test]
+    fn what_may_be_on_a_side_is_in_doubt() {
+        for (x, off, relation) in [
+            (0.5, 0.25, Some(Relation::Apart)),
+            (0.5, 0.5, None),
+            (-0.5, 0.5, None),
+            (-0.5, 0.25, Some(Relation::Crosses(Way::Up))),
+        ] {
+            assert_eq!(point(x, 2.0, off).relation([0.0, 0.0], [0.0, 4.0]), relation, "{x} {off}");
+        }
+    }
+
+    /// By hand, of a side from (0, 0) to (0, ±1) and x off by 1: the area is ∓x, and off by 1 + 2^−50 for the point
+    /// and by 2^−50 x for the products, which for x = 1 + 2^−49 is x again, to the last digit.
+    #[test]
+    fn a_side_turns_by_more_than_the_area_may_be_off() {
+        let turns = |x: f64| [1.0, -1.0].map(|end| point(x, 0.5, 1.0).turn([0.0, 0.0], [0.0, end]));
+        let least = 1.0 + units(2.0);
+        assert_eq!(turns(least), [None; 2]);
+        assert_eq!(turns(least.next_up()), [Some(Ordering::Less), Some(Ordering::Greater)]);
+    }
+
+    /// By hand: 2^−600 · 2^−500 is below the smallest number, and the area is 0, though x is on the right of the
+    /// side.
+    #[test]
+    fn products_that_vanish_are_in_doubt() {
+        let (short, near) = (2.0_f64.powi(-600), 2.0_f64.powi(-500));
+        assert_eq!(point(near, 0.0, 0.0).turn([0.0, 0.0], [0.0, short]), None);
+    }
+}

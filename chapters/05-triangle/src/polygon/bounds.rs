@@ -84,4 +84,23 @@ mod tests {
         }
         assert_eq!(([low[0], low[1]], [high[0], high[1]]), ([0.0; 2], [4.0; 2]));
     }
+
+    /// By hand, in the plane x + 2y + 4z = 12 again, with p̄ = (2, 1, 2): at (6, 5) the parts are ¼ · 4 and ½ · 4,
+    /// and the box goes 8 · 2^−52 (2 + 1 + 2) below −1; at p̄ itself 8 · 2^−52 · 2 above 2. Neither is rounded.
+    #[test]
+    fn the_box_is_larger_by_the_sizes_of_all_parts() {
+        let corners = [[2.0, 1.0, 2.0], [6.0, 1.0, 1.0], [6.0, 5.0, -1.0], [2.0, 5.0, 0.0]].map(DVec3::from);
+        let [low, high] = Polygon::<f64>::new(corners.to_vec()).unwrap().bounds();
+        assert_eq!([low[2], high[2]], [-1.0 - 40.0 * f64::EPSILON, 2.0 + 16.0 * f64::EPSILON]);
+    }
+
+    /// By hand, in the plane x − y + 2z = 0 with corners at ±M: from −M to M it is 2M, which overflows, so that both
+    /// parts are infinite, and their difference is no number.
+    #[test]
+    fn a_box_that_overflows_goes_everywhere() {
+        let m = 1.5 * 2.0_f64.powi(1023);
+        let corners = [[-m, -m, 0.0], [m, m, 0.0], [m, -m, -m]].map(DVec3::from);
+        let [low, high] = Polygon::<f64>::new(corners.to_vec()).unwrap().bounds();
+        assert_eq!((low, high), ([-m, -m, f64::NEG_INFINITY], [m, m, f64::INFINITY]));
+    }
 }

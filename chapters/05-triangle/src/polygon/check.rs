@@ -118,3 +118,21 @@ fn extent<R: Real>(corners: &[R::Vec3]) -> Wide {
     let longer = |a: Wide, b: Wide| if (a - b).is_negative() { b } else { a };
     longer(side(0), longer(side(1), side(2)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: a box of 1, 4 and 2, whichever axis each is along.
+    #[test]
+    fn the_extent_is_the_longest_of_the_three() {
+        for turn in 0..3 {
+            let turned = |mut corner: [f64; 3]| {
+                corner.rotate_right(turn);
+                glam::DVec3::from(corner)
+            };
+            let corners = [[0.0, 3.0, 5.0], [1.0, 7.0, 6.0], [0.5, 4.0, 7.0]].map(turned);
+            assert_eq!(extent::<f64>(&corners).to_f64(), 4.0, "turned by {turn}");
+        }
+    }
+}

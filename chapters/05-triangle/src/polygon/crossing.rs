@@ -169,4 +169,11 @@ mod tests {
             "to the right by 5e−324"
         );
     }
+
+    /// By hand: the side from (3, 2) to (11, 10) is at (9, 8) at the height of (1, 8), which is ¾ of the way.
+    #[test]
+    fn where_the_side_is_crossed() {
+        let (p, q, x) = ([3.0, 2.0], [11.0, 10.0], [1.0, 8.0]);
+        assert_eq!([t_of(p, q, x), t_of(q, p, x)], [8.0; 2]);
+    }
 }

@@ -53,6 +53,7 @@ fn exactly(corners: &[[f64; 3]]) -> Option<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::area::tests::{SLIVER_RISE, sliver};
     use glam::{DVec3, Vec3};
 
     #[test]
@@ -91,5 +92,16 @@ mod tests {
             let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| scale * Vec3::new(x, y, y));
             assert_eq!(normal::<f32>(&corners).unwrap().normalized(), Vec3::new(0.0, -1.0, 1.0).normalize());
         }
+    }
+
+    /// By hand: see [`sliver`]. n_z (y2 − b) = SLIVER_RISE n_x. Five numbers are rounded by 2^−53 at most, the two
+    /// components, y2 − b and both products, and none counts twice or more in what is left.
+    #[test]
+    fn the_normal_of_a_sliver_is_right_to_the_last_digit() {
+        let [p1, p2, p3] = sliver().map(DVec3::from);
+        let n = normal::<f64>(&[p1, p2, p3]).unwrap();
+        assert_eq!(n.x.abs().max(n.y.abs()).max(n.z.abs()), 1.0, "in units of the largest");
+        let off = n.z * (p2.y - p1.y) - n.x * SLIVER_RISE;
+        assert!(off.abs() <= 5.0 * f64::EPSILON, "{n} {off:e}");
     }
 }

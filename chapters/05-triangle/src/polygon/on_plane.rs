@@ -89,6 +89,7 @@ impl<R: Real> Count<'_, R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::polygon::star::{PENTAGRAM, in_space};
     use glam::DVec3;
 
     /// The rule once more in whole numbers, by its definition: how often does s(t) cross, for whole corners in z = 0 and a
@@ -147,5 +148,22 @@ mod tests {
             boundary += u64::from(truth.is_none());
         }
         assert!(inside > 1000 && boundary > 200, "{inside} {boundary}");
+    }
+
+    /// By hand: a pentagram goes twice around its middle, once around what is in a tip; of a point to the left of it
+    /// two sides go up and two go down.
+    #[test]
+    fn the_winding_rule_counts_up_less_down() {
+        let star = Polygon::<f64>::new(in_space::<f64>(&PENTAGRAM)).unwrap();
+        for (x, y, by_winding, by_even_odd) in
+            [(0.0, 0.0, true, false), (0.0, 8.0, true, true), (-12.0, 0.0, false, false)]
+        {
+            let ray = Ray3::new(DVec3::new(x, y, 5.0), -DVec3::Z);
+            for point in [None, AtOnce::of(&star, &ray)] {
+                let by = |rule: Rule| holds(&star, rule, &ray, point.as_ref());
+                let found = [by(Rule::Winding), by(Rule::EvenOdd)];
+                assert_eq!(found, [by_winding, by_even_odd], "({x}, {y}) {point:?}");
+            }
+        }
     }
 }

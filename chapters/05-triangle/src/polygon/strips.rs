@@ -24,7 +24,7 @@ pub(super) struct Strips {
 impl Strips {
     /// The strips of an outline of these heights, corner by corner; `None` for few sides.
     pub(super) fn of(heights: &[f64]) -> Option<Box<Strips>> {
-        if heights.len() <= FEW_SIDES || u32::try_from(heights.len() * LISTED_PER_SIDE).is_err() {
+        if !are_listed(heights.len()) {
             return None;
         }
         let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -85,9 +85,20 @@ impl Strips {
     }
 }
 
+/// Whether so many sides have strips: they are not few, and a `u32` counts all that are listed.
+fn are_listed(sides: usize) -> bool {
+    sides > FEW_SIDES && u32::try_from(sides * LISTED_PER_SIDE).is_ok()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// By hand: a `u32` ends at 2^32 − 1, and 4 (2^30 − 1) is below that.
+    #[test]
+    fn neither_few_sides_nor_a_billion_are_listed() {
+        assert_eq!([0, 8, 9, (1 << 30) - 1, 1 << 30].map(are_listed), [false, false, true, true, false]);
+    }
 
     /// By hand: an outline that rises from 100 to 109 corner by corner, ten strips of 0.9. Between 104.5 and 105.4 there are
     /// the sides from 104 and from 105, and the long one back.

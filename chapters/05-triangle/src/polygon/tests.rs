@@ -311,3 +311,34 @@ fn any_bits_are_refused_or_answered() {
     }
     assert!(polygons > 1000, "{polygons}");
 }
+
+#[test]
+fn the_names_of_the_rules() {
+    assert_eq!(Rule::ALL.map(Rule::name), ["even-odd", "winding"]);
+}
+
+/// By hand: n = (1, 1, 1) is as long along each axis, and (0, 2, 2) along the last two.
+#[test]
+fn of_axes_as_wide_the_first_is_dropped() {
+    let axes =
+        |corners: [[f64; 3]; 3]| Polygon::<f64>::new(corners.map(DVec3::from).to_vec()).unwrap().axes();
+    assert_eq!(axes([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), [1, 2]);
+    assert_eq!(axes([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, -1.0]]), [2, 0]);
+}
+
+/// By hand: the square is 1 behind the origin of a ray through its middle, and 1 ahead of the other.
+#[test]
+fn what_is_behind_is_missed_at_a_glance() {
+    let square = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
+    let at_a_glance =
+        |u: f64, up: f64| square.glance(&Ray3::<f64>::new(DVec3::new(u, 1.0, 1.0), DVec3::Z * up));
+    assert_eq!([at_a_glance(1.0, 1.0), at_a_glance(3.0, -1.0)], [Glance::Misses; 2]);
+    assert!(matches!(at_a_glance(1.0, -1.0), Glance::Once(around) if around.t == 1.0));
+}
+
+/// By hand: from a point of the left side the other one is 2 ahead, and its own is not ahead.
+#[test]
+fn the_side_of_the_point_is_not_counted_naively() {
+    let square = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
+    assert_eq!([-1.0, 0.0, 2.0].map(|u| count_naively(square.outline(), [u, 1.0])), [2, 1, 0]);
+}

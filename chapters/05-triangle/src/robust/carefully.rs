@@ -147,17 +147,50 @@ pub(super) fn point<R: Real>(ray: Ray3<R>, triangle: Triangle<R>) -> R::Vec3 {
 #[cold]
 #[inline(never)]
 pub(super) fn unit_normal<R: Real>(triangle: Triangle<R>) -> R::Vec3 {
-    /// The error that a component may have, as a share of the largest.
-    const OF_NORMAL: f64 = 1.0 / (1u64 << 60) as f64;
     let corners = triangle.corners().map(Vector::in_f64);
-    let n = area::normal::<Bounded<TwoPart>>(corners);
-    let largest = n.iter().fold(0.0, |most: f64, component| most.max(component.value.hi.abs()));
-    let is_good = n.iter().all(|component| component.error <= OF_NORMAL * largest) && largest < f64::INFINITY;
-    let n: [Wide; 3] = match is_good {
-        true => n.map(|component| Wide::from(component.value)),
-        false => area::normal::<Exact>(corners).map(|component| component.to_wide()),
-    };
+    let n: [Wide; 3] = normal_in_two_parts(corners)
+        .unwrap_or_else(|| area::normal::<Exact>(corners).map(|component| component.to_wide()));
     let length = n.into_iter().fold(Wide::ZERO, |sum, component| sum + component * component).sqrt();
     let [x, y, z] = n.map(|component| R::round_from((component / length).to_f64()));
     R::vec3(x, y, z)
+}
+
+/// n with twice the digits; `None` where too many of them cancel, or overflow.
+fn normal_in_two_parts(corners: [[f64; 3]; 3]) -> Option<[Wide; 3]> {
+    /// The error that a component may have, as a share of the largest.
+    const OF_NORMAL: f64 = 1.0 / (1u64 << 60) as f64;
+    let n = area::normal::<Bounded<TwoPart>>(corners);
+    let largest = n.iter().fold(0.0, |most: f64, component| most.max(component.value.hi.abs()));
+    let is_good = n.iter().all(|component| component.error <= OF_NORMAL * largest) && largest < f64::INFINITY;
+    is_good.then(|| n.map(|component| Wide::from(component.value)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::area::tests::{SLIVER_RISE, sliver};
+    use glam::DVec3;
+
+    /// By hand: legs of 2^k along x and y have n = (0, 0, 4^k). Of the sliver 2^−90 is left of products of 1, which
+    /// are off by some 2^−101, and that is more than a 2^60th; of legs of 2^600 the product overflows.
+    #[test]
+    fn two_parts_are_enough_for_most_normals() {
+        let legs = |power: i32| [[0.0; 3], [2.0_f64.powi(power), 0.0, 0.0], [0.0, 2.0_f64.powi(power), 0.0]];
+        for power in [0, 100, -100] {
+            let n = normal_in_two_parts(legs(power)).unwrap().map(Wide::to_f64);
+            assert_eq!(n, [0.0, 0.0, 4.0_f64.powi(power)], "2^{power}");
+        }
+        assert!(normal_in_two_parts(sliver()).is_none());
+        assert!(normal_in_two_parts(legs(600)).is_none());
+    }
+
+    /// By hand: see [`sliver`]. n_z (y2 − b) = SLIVER_RISE n_x. Five numbers are rounded by 2^−53 at most, the two
+    /// components, y2 − b and both products, and none counts twice or more in what is left.
+    #[test]
+    fn the_normal_of_a_sliver_is_right_to_the_last_digit() {
+        let [p1, p2, p3] = sliver().map(DVec3::from);
+        let n = unit_normal::<f64>(Triangle { p1, p2, p3 });
+        let off = n.z * (p2.y - p1.y) - n.x * SLIVER_RISE;
+        assert!(off.abs() <= 5.0 * f64::EPSILON && n.x > 0.25, "{n} {off:e}");
+    }
 }

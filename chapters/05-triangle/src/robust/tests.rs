@@ -286,3 +286,87 @@ fn ways() {
     }
     insta::assert_snapshot!(lab::tally(&crate::stage::RayTriangle, 2, 200, [way::<f32>, way::<f64>]));
 }
+
+/// By hand: see `volumes.rs`. At the bound itself plain numbers leave a doubt, and at twice the bound they do not.
+#[test]
+fn what_is_at_the_bound_is_looked_at_carefully() {
+    use crate::volumes::tests::{BOUND, inside_by};
+    for (e, certainty) in [(BOUND, Certainty::TwoPart), (2.0 * BOUND, Certainty::AtOnce)] {
+        for (inside, t) in [(1.0, Some(0.25)), (-1.0, None)] {
+            for (ray, triangle) in inside_by(inside * e) {
+                let work = robust(&ray, &triangle);
+                let found = work.hit(Span::ahead()).unwrap().map(|hit| hit.t);
+                assert_eq!((work.certainty, found), (certainty, t), "{e:e} {inside}");
+            }
+        }
+    }
+}
+
+/// By hand: through the inside, past it, within the plane and along it, and no ray at all; the first two at once and
+/// carefully.
+#[test]
+fn the_passage_is_told_from_the_signs() {
+    let ray = |from: DVec3, d: DVec3| Ray3::<f64>::new(from, d);
+    let (through, past) = (ray(DVec3::ZERO, DVec3::new(1.0, 0.75, 1.0)), ray(DVec3::ZERO, DVec3::Z));
+    let within = ray(DVec3::new(0.0, 1.5, 2.0), DVec3::X);
+    let still = ray(DVec3::ZERO, DVec3::ZERO);
+    for (ray, passage, lambda) in [
+        (through, Passage::Through, Some(2.0)),
+        (past, Passage::Past, None),
+        (within, Passage::Along, None),
+        (still, Passage::Degenerate, None),
+    ] {
+        for work in [robust(&ray, &TRIANGLE), carefully::robust(ray, TRIANGLE)] {
+            assert_eq!((work.passage, work.lambda), (passage, lambda), "{ray:?}");
+        }
+    }
+}
+
+/// By hand, seen along z: B = (1, 0), C = (0, 1) and A = (−h, −h) with h = 2^−53. The volumes are 1, h and h, of
+/// which the sum is rounded to 1, and d · n = (1 + h)² − h² = 1 + 2h, which is the next number.
+#[test]
+fn d_dot_n_is_not_the_sum_of_what_is_rounded() {
+    let h = f64::EPSILON / 2.0;
+    let corner = |x, y| DVec3::new(x, y, 1.0);
+    let triangle = Triangle::<f64> { p1: corner(-h, -h), p2: corner(1.0, 0.0), p3: corner(0.0, 1.0) };
+    let work = robust(&Ray3::new(DVec3::ZERO, DVec3::Z), &triangle);
+    assert_eq!((work.certainty, work.lambda), (Certainty::TwoPart, Some(1.0)));
+    assert_eq!((work.volumes, work.d_dot_n), ([1.0, h, h], 1.0_f64.next_up()));
+}
+
+/// By hand: numbers whose sum is one are, however large, and the smallest λ with all its digits.
+#[test]
+fn a_point_is_ordinary_where_all_its_digits_are_there() {
+    let (far, farthest) = (2.0_f64.powi(600), 1.5 * 2.0_f64.powi(1023));
+    for (lambda, point, ordinary) in [
+        (1.0, [far; 3], true),
+        (1.0, [farthest, -farthest, 0.0], true),
+        (1.0, [0.0, farthest, -farthest], true),
+        (f64::MIN_POSITIVE, [0.0; 3], true),
+        (-f64::MIN_POSITIVE, [0.0; 3], true),
+        (f64::MIN_POSITIVE.next_down(), [0.0; 3], false),
+        (1.0, [f64::INFINITY, 0.0, 0.0], false),
+        (1.0, [0.0, f64::NAN, 0.0], false),
+        (1.0, [0.0, 0.0, f64::NEG_INFINITY], false),
+        (0.0, [0.0; 3], false),
+    ] {
+        assert_eq!(are_ordinary(lambda, point), ordinary, "{lambda:e} {point:?}");
+    }
+}
+
+/// By hand: e1 = (1, 0, 0) and e2 = (1 − h, h, 0), so that |n| = h and |e1| |e2| = 1, and the ray is a quarter
+/// of the way along both. The plain n is kept where h is a 256th.
+#[test]
+fn the_plain_normal_of_a_sliver_is_not_kept() {
+    let kept = |h: f64| {
+        let corner = |x, y| DVec3::new(x, y, 1.0);
+        let triangle = Triangle::<f64> { p1: corner(0.0, 0.0), p2: corner(1.0, 0.0), p3: corner(1.0 - h, h) };
+        let ray = Ray3::new(DVec3::new(0.5 - h / 4.0, h / 4.0, 0.0), DVec3::Z);
+        let work = robust(&ray, &triangle);
+        assert_eq!((work.certainty, work.lambda), (Certainty::AtOnce, Some(1.0)));
+        assert_eq!(work.hit(Span::ahead()).unwrap().unwrap().normal, DVec3::Z);
+        work.n
+    };
+    let least = 1.0 / 256.0;
+    assert_eq!([kept(least), kept(least.next_down())], [Some([0.0, 0.0, least]), None]);
+}
