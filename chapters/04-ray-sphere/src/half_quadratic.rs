@@ -124,6 +124,7 @@ mod tests {
             (0.5, -0.5, 1.5, Visibility::Inside),
             (3.0, 2.0, 4.0, Visibility::InFront),
             (1.0, 0.0, 2.0, Visibility::Touching),
+            (-1.0, -2.0, 0.0, Visibility::Touching),
         ] {
             // by hand: the unit sphere around (0, 0, z) reaches from z − 1 to z + 1
             let work = half_quadratic(&ray, &Sphere { center: DVec3::new(0.0, 0.0, z), radius: 1.0 });

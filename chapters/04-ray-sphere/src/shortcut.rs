@@ -90,6 +90,15 @@ mod tests {
         assert_eq!(work.roots(), Some(Roots { near: 4.0, far: 8.0 }), "in lengths of (0, 0, 2)");
     }
 
+    /// By hand: the center 5 beside the ray, and 12 ahead: d² = 13² − 12² is r², and nothing of the chord is left.
+    #[test]
+    fn a_tangent_is_a_hit() {
+        let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+        let work = shortcut(&ray, &Sphere { center: DVec3::new(5.0, 0.0, 12.0), radius: 5.0 });
+        assert_eq!((work.a_squared, work.a), (0.0, Some(0.0)));
+        assert_eq!(work.roots(), Some(Roots { near: 12.0, far: 12.0 }));
+    }
+
     /// A ray down the z axis past a sphere of radius 1, half a radius outside it: a miss, by a mile.
     #[test]
     fn from_afar_it_sees_spheres_that_are_not_there() {

@@ -250,3 +250,12 @@ fn old_answers_are_forgotten() {
         assert_eq!(again, fresh);
     }
 }
+
+#[test]
+fn only_a_batch_of_no_rays_is_empty() {
+    let pair = Draw(3).pair::<f64>();
+    for (pairs, is_empty) in [(vec![], true), (vec![pair], false), (vec![pair; LANES + 1], false)] {
+        let batch: Batch<f64> = pairs.into_iter().collect();
+        assert_eq!(batch.is_empty(), is_empty, "{} rays", batch.len());
+    }
+}

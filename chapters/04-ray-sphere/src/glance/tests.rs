@@ -82,6 +82,45 @@ fn closed_forms() {
     assert_eq!(at([1.0, 0.0, 0.0], 1.0), Glance::Unsure);
 }
 
+/// By hand: with L = (1, 2⁻²⁴, 2⁻²⁴) and r² = 1 − 2⁻⁴⁷, L·L − r² is 2⁻⁴⁶, and so is the error, 2⁻⁴⁷ of L·L + r² = 2.
+/// The sphere is not surely left behind, along −x, nor surely passed, at right angles to L, where P is L. With r² a
+/// digit less it is.
+#[test]
+fn what_is_as_large_as_its_error_is_not_certain() {
+    let tiny = 2.0_f64.powi(-24);
+    let r_r = 1.0 - 2.0_f64.powi(-47);
+    for d in [[-1.0, 0.0, 0.0], [0.0, 1.0, -1.0]] {
+        let line = Line::of(&Ray3::<f64>::new(glam::DVec3::ZERO, d.into()));
+        assert!(!line.past([1.0, tiny, tiny], r_r).is_missed, "{d:?}");
+        assert!(line.past([1.0, tiny, tiny], r_r.next_down()).is_missed, "{d:?}");
+    }
+}
+
+/// By hand: 4 away from a sphere of radius 3, S = √(16 + 9) = 5 and h = 3; 16 · 2⁻⁵³ S and 2⁻²⁷ h have few digits.
+#[test]
+fn how_far_off_a_glance_is() {
+    let ray = Ray3::<f64>::new(glam::DVec3::ZERO, glam::DVec3::Z);
+    let sphere = Sphere { center: glam::DVec3::new(0.0, 0.0, 4.0), radius: 3.0 };
+    let Glance::Twice(near, far) = glance(&Line::of(&ray), &sphere) else { panic!("it crosses it") };
+    let off = 80.0 * 2.0_f64.powi(-53) + 3.0 * 2.0_f64.powi(-27);
+    assert_eq!([(near.t, near.off), (far.t, far.off)], [(1.0, off), (7.0, off)]);
+}
+
+/// A line grazes where a² is less than 2⁻²⁰ of L·L + r².
+#[test]
+fn what_grazes_is_unsure() {
+    let line = Line::of(&Ray3::<f64>::new(glam::DVec3::ZERO, glam::DVec3::Z));
+    let passage = |half_chord_squared: f64| Passage {
+        t_close: 1000.0,
+        half_chord_squared,
+        scale: 2.0_f64.powi(20),
+        is_missed: false,
+        is_safe: true,
+    };
+    assert!(matches!(line.glance(&passage(1.0)), Glance::Twice(..)));
+    assert_eq!(line.glance(&passage(1.0_f64.next_down())), Glance::Unsure);
+}
+
 /// How often a glance is sure in every regime, and how near: see [`lab::glances`].
 #[cfg(feature = "stage")]
 #[test]

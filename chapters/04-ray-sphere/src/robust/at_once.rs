@@ -140,3 +140,33 @@ fn is_enough_for_f32(half_chord_squared: f64, l_l: f64, r_r: f64) -> bool {
     let of_normal = half_chord_squared * r_r >= SHARE * (s * s);
     of_t && of_normal
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{two, work};
+    use super::*;
+
+    /// The squares of an `f32` are ordinary numbers, unless there is nothing to square, or no end to it.
+    #[test]
+    fn in_f32_only_what_is_degenerate_is_out_of_range() {
+        let is_out = |l: f64, d: f64, r: f64| {
+            matches!(chord::<f32>([l, 0.0, 0.0].map(TwoPart::from), [d, 0.0, 0.0], r), Found::OutOfRange)
+        };
+        let (most, least) = (f64::from(f32::MAX), f64::from(f32::from_bits(1)));
+        assert!(!is_out(4.0, 1.0, 1.0) && !is_out(2.0 * most, most, most) && !is_out(0.0, least, least));
+        assert!(is_out(4.0, 0.0, 1.0) && is_out(4.0, 1.0, 0.0) && is_out(4.0, 1.0, -1.0));
+        let endless = f64::INFINITY;
+        assert!(is_out(endless, 1.0, 1.0) && is_out(4.0, endless, 1.0) && is_out(4.0, 1.0, endless));
+    }
+
+    /// By hand: L = (1, 2⁻²⁴, 2⁻²⁴) is at right angles to d, and so is P; and r² is 1 − 2⁻⁴⁷ when rounded. P·P − r² is
+    /// 2⁻⁴⁶, and so is the error, 2⁻⁴⁷ of L·L + r² = 2. With r a digit less there is no doubt.
+    #[test]
+    fn a_miss_by_no_more_than_the_error_is_doubtful() {
+        let tiny = two(-24);
+        let r = 1.0 - two(-48);
+        let certainty = |r| work([0.0; 3], [0.0, 1.0, -1.0], [1.0, tiny, tiny], r).chord.certainty;
+        assert_eq!(certainty(r), Certainty::Corrected);
+        assert_eq!(certainty(r.next_down()), Certainty::AtOnce);
+    }
+}

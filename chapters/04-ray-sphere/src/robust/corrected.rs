@@ -83,3 +83,63 @@ pub(super) fn chord(
     let inner_is_good = spare > 0.0 && spare * spare * a >= p_p && error <= HARMLESS * h * a * inner;
     if inner_is_good { Some(miss.crossed(h)) } else { near_surface::chord(&miss, p, l, d, r_r, from) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{two, work};
+    use super::*;
+
+    /// A ray that misses the unit sphere by x: P is L = (1 + x, 0, 0). By hand: the error of a² is 2⁻⁹⁹ of ‖L‖ ‖P‖ = 1
+    /// and of r² + P·P = 2, and a² = −2x, so there is no doubt where x is above 3 · 2⁻¹⁰⁰.
+    #[test]
+    fn a_miss_by_no_more_than_the_error_is_left_in_doubt() {
+        let certainty = |x: f64| work([-x, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0).chord.certainty;
+        let error = 3.0 * two(-100);
+        assert_eq!(certainty(error), Certainty::Exact);
+        assert_eq!(certainty(error.next_up()), Certainty::Corrected);
+    }
+
+    /// Any t_close will do, here 1 where it is 0. By hand: P = (1 + x, 0, −1) and P·d = −1; nearly all of the error is
+    /// that of (P·d)²/A = 1, which is 2⁻⁴⁹; and a² is 1 − P·P + 1 = −2x, but for x².
+    #[test]
+    fn the_error_of_what_t_close_left_counts() {
+        let at = |x: f64| {
+            let l = [1.0 + x, 0.0, 0.0].map(TwoPart::from);
+            chord(l, [0.0, 0.0, 1.0], 1.0, [1.0, 0.0, 1.0], f64::NEG_INFINITY)
+        };
+        assert_eq!(at(two(-51)), None);
+        let miss = at(two(-49)).expect("it is 2⁻⁴⁸, twice the error");
+        assert_eq!((miss.half_chord_squared, miss.roots), (-two(-48), None));
+    }
+
+    /// An origin x within the unit sphere, at right angles to the ray: a² = h² = 2x, but for x². By hand: the error is
+    /// 3 · 2⁻⁹⁹, as for the miss; t = h can bear 2⁻⁵³ h², which is 4 · 2⁻⁹⁹ for the one x and 2 · 2⁻⁹⁹ for the other.
+    #[test]
+    fn an_error_that_spoils_t_is_left_in_doubt() {
+        let certainty = |x: f64| work([0.0; 3], [0.0, 0.0, 1.0], [1.0 - x, 0.0, 0.0], 1.0).chord.certainty;
+        assert_eq!(certainty(two(-45)), Certainty::NearSurface);
+        assert_eq!(certainty(two(-46)), Certainty::Exact);
+    }
+
+    /// By hand: the center 5 ahead and the radius 3, the inner root is 2 and h once and a half as much. That is left to
+    /// the third way, as it is where the sphere is nearer, and not where it is farther.
+    #[test]
+    fn an_inner_root_that_cancels_is_found_from_the_outer() {
+        let certainty = |z: f64| work([0.0; 3], [0.0, 0.0, 1.0], [0.0, 0.0, z], 3.0).chord.certainty;
+        assert_eq!([4.75, 5.0].map(certainty), [Certainty::NearSurface; 2]);
+        assert_eq!(certainty(5.25), Certainty::Corrected);
+    }
+
+    /// An error that the outer root can bear, and the inner one not. By hand: with L = (5/4 − x, 0, 1) and r = 5/4,
+    /// ‖L‖₁ ‖P‖₁ = 45/16 and r² + P·P = 50/16, so the error is 2⁻⁵³ E with E = 95/16 · 2⁻⁴⁶. With
+    /// x = ⅖ E² = 3610/256 · 2⁻⁹², a² = h² is E², and h (1 − h) < E < h (1 + h). With 4 times that x, h is 2 E, and both
+    /// can bear it.
+    #[test]
+    fn an_error_that_spoils_the_inner_root_is_left_to_the_third_way() {
+        let (e, x) = (95.0 / 16.0 * two(-46), 3610.0 / 256.0 * two(-92));
+        let at = |x: f64| work([x, 0.0, 0.0], [0.0, 0.0, 1.0], [1.25, 0.0, 1.0], 1.25).chord;
+        let (less, more) = (at(x), at(4.0 * x));
+        assert_eq!((less.h, less.certainty), (Some(e), Certainty::NearSurface));
+        assert_eq!((more.h, more.certainty), (Some(2.0 * e), Certainty::Corrected));
+    }
+}

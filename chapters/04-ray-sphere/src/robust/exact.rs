@@ -114,3 +114,32 @@ pub(super) fn hit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, t: R, enters: bool
 fn dot_wide(a: [Wide; 3], b: [Wide; 3]) -> Wide {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{two, work};
+    use super::*;
+    use math::Span;
+
+    /// By hand: 4 − 10 + 18.
+    #[test]
+    fn a_product_of_wide_vectors() {
+        let [a, b] = [[1.0, 2.0, 3.0], [4.0, -5.0, 6.0]].map(|v: [f64; 3]| v.map(Wide::from));
+        assert_eq!(dot_wide(a, b).to_f64(), 12.0);
+    }
+
+    /// A ray up the z axis, 2⁻²⁰⁰ beside it, next to a tangent to a sphere of radius 3. By hand: t is z to the last
+    /// digit. At z = 2 the point is p_r + t d, with all digits of p_r; at z = 4 it is c + r n, whose y = 3 − 3 is off
+    /// by what P, its sum with h d and that with c are: 2⁻¹⁰² of 3, of 3 and of 3 + 3, in all less than 2⁻⁹⁸.
+    #[test]
+    fn a_point_has_the_digits_of_the_nearer_of_origin_and_center() {
+        let tiny = two(-200);
+        for (z, off) in [(2.0, 0.0), (4.0, two(-98))] {
+            let touching = work([0.0, tiny, 0.0], [0.0, 0.0, 1.0], [0.0, 3.0, z], 3.0);
+            assert_eq!(touching.chord.certainty, Certainty::Exact);
+            let Hit3::<f64> { t, point, .. } = touching.hit(Span::ahead()).unwrap().unwrap();
+            assert_eq!((t, point.x, point.z), (z, 0.0, z));
+            assert!((point.y - tiny).abs() <= off, "{:e}", point.y);
+        }
+    }
+}

@@ -108,3 +108,39 @@ pub(super) fn hit<R: Real>(ray: &Ray3<R>, sphere: &Sphere<R>, t: R, enters: bool
     };
     Hit3::<R> { t, point: vector(point), normal: vector(normal) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{two, work};
+    use super::*;
+
+    /// By hand: 4 away from the center of a sphere of radius 3, h = 3 and C = 4² − 3²; then all lengths times 2⁵⁰⁰, and
+    /// the direction times 2¹⁰⁰.
+    #[test]
+    fn every_number_comes_back_to_its_scale() {
+        let chord = work([0.0, 0.0, -4.0 * two(500)], [0.0, 0.0, two(100)], [0.0; 3], 3.0 * two(500)).chord;
+        assert_eq!(
+            chord,
+            Chord {
+                certainty: Certainty::Scaled,
+                a: two(200),
+                b: 4.0 * two(600),
+                t_close: 4.0 * two(400),
+                p: [0.0; 3],
+                correction: 0.0,
+                half_chord_squared: 9.0 * two(1000),
+                h: Some(3.0 * two(400)),
+                c: Some(7.0 * two(1000)),
+                roots: Some(Roots { near: two(400), far: 7.0 * two(400) }),
+            }
+        );
+    }
+
+    /// From the center the roots are ∓2⁻¹²⁰⁰, by hand, and both vanish.
+    #[test]
+    fn what_vanishes_behind_the_origin_stays_behind_it() {
+        let chord = work([0.0; 3], [0.0, 0.0, two(600)], [0.0; 3], two(-600)).chord;
+        assert_eq!(chord.certainty, Certainty::Scaled);
+        assert_eq!(chord.roots, Some(Roots { near: -f64::from_bits(1), far: 0.0 }));
+    }
+}

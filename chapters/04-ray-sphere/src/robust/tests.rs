@@ -1,8 +1,14 @@
 use super::*;
 use glam::DVec3;
 
-fn work(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], radius: f64) -> Robust<f64> {
+/// A ray and a sphere.
+pub(super) fn work(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], radius: f64) -> Robust<f64> {
     robust(&Ray3::new(origin.into(), direction.into()), &Sphere { center: center.into(), radius })
+}
+
+/// 2^power
+pub(super) fn two(power: i32) -> f64 {
+    2.0_f64.powi(power)
 }
 
 /// A tangent of whole numbers is one at every scale at which they are floats.
@@ -63,6 +69,52 @@ fn an_origin_on_the_surface_touches_at_zero() {
     // a tangent there
     let grazing = work([2.0, 3.0, 6.0], [3.0, -2.0, 0.0], [0.0; 3], 7.0);
     assert_eq!(grazing.roots(), Some(Roots { near: 0.0, far: 0.0 }));
+}
+
+/// A ray up the z axis, 2⁻⁶⁰ beside it, and a center y beside it: the digits of 2⁻⁶⁰ are lost in y. By hand: y, h and
+/// r are 3, 4 and 5 (or an eighth of that), and t = t_close − h. The point is p_r + t d where t < r, and so has them;
+/// else it is c + r n, whose y is 0.
+#[test]
+fn a_point_has_the_digits_of_the_nearer_of_origin_and_center() {
+    let tiny = two(-60);
+    for ([y, t_close, r], t, y_hit) in [
+        ([0.375, 1.0, 0.625], 0.5, tiny),
+        ([3.0, 8.0, 5.0], 4.0, tiny),
+        ([3.0, 9.0, 5.0], 5.0, 0.0),
+        ([3.0, 10.0, 5.0], 6.0, 0.0),
+    ] {
+        let hit = work([0.0, tiny, 0.0], [0.0, 0.0, 1.0], [0.0, y, t_close], r)
+            .hit(Span::ahead())
+            .unwrap()
+            .unwrap();
+        assert_eq!((hit.t, hit.point), (t, DVec3::new(0.0, y_hit, t)), "r = {r}");
+    }
+}
+
+/// Straight at the center, by hand; as −1 · 0 is minus zero.
+#[test]
+fn no_component_of_a_normal_is_minus_zero() {
+    let hit = work([0.0; 3], [0.0, 0.0, 1.0], [0.0, 0.0, 8.0], 1.0).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!(hit.normal.to_array().map(f64::to_bits), [0.0_f64, 0.0, -1.0].map(f64::to_bits));
+}
+
+/// A ray that starts 2⁻²⁰ within the unit sphere, or as much before it, straight at the center. By hand: it crosses it
+/// there, and 2 farther on.
+#[test]
+fn a_shorter_way_to_the_same_hit() {
+    let ray = Ray3::<f64>::new(DVec3::ZERO, DVec3::Z);
+    let at = |t: f64, n: f64| Hit { t, point: DVec3::new(0.0, 0.0, t), normal: DVec3::new(0.0, 0.0, n) };
+    let tiny = two(-20);
+    for (first, near) in [(-tiny, None), (tiny, Some(at(tiny, -1.0)))] {
+        let sphere = Sphere { center: DVec3::new(0.0, 0.0, 1.0 + first), radius: 1.0 };
+        let far = at(2.0 + first, 1.0);
+        assert_eq!(hit(&ray, &sphere, Span::ahead()), Ok(near.or(Some(far))));
+        assert_eq!(hit(&ray, &sphere, Span::new(0.5, 4.0)), Ok(Some(far)));
+        assert_eq!(hit(&ray, &sphere, Span::new(0.5, 1.0)), Ok(None));
+        // who is known to start within it is not asked
+        assert_eq!(hit_from_within(&ray, &sphere, Span::ahead()), Ok(Some(far)));
+        assert_eq!(hit_from_within(&ray, &sphere, Span::new(0.0, 1.0)), Ok(None));
+    }
 }
 
 /// Each of the four ways is taken by the rays that it is for.
