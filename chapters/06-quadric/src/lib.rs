@@ -239,3 +239,23 @@ impl<R: Real> Working<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// The words of a case file, and those that `--method` takes.
+    #[test]
+    fn names() {
+        assert_eq!(Shape::ALL.map(Shape::name), ["cylinder", "cone"]);
+        assert_eq!(Method::ALL.map(Method::name), ["notes", "robust"]);
+    }
+
+    /// By hand, at (2, 3, 5): 4 + 9 − 1, and 4 + 9 less a quarter of 16.
+    #[test]
+    fn the_equations_of_the_walls() {
+        let point = DVec3::new(2.0, 3.0, 5.0);
+        assert_eq!(Shape::ALL.map(|shape| shape.wall::<f64>(point)), [12.0, 9.0]);
+    }
+}

@@ -335,4 +335,24 @@ mod tests {
         let as_printed = [1.0, -1.0].map(|sign| -work.b / work.a + sign * work.d.sqrt() / work.a);
         assert!(as_printed[0].is_infinite() && as_printed[1].is_nan(), "{as_printed:?}");
     }
+
+    /// By hand: (3 − λ, 0, 2 − ½λ) is at x = 1 and at z = 1 at λ = 2. The wall comes before the caps, and has it.
+    #[test]
+    fn a_tie_at_the_rim_is_the_walls() {
+        let ray = Ray3::<f64>::new(DVec3::new(3.0, 0.0, 2.0), DVec3::new(-1.0, 0.0, -0.5));
+        let work = notes(&ray, Shape::Cylinder);
+        let lambdas: Vec<_> = work.candidates().iter().map(|candidate| candidate.lambda).collect();
+        assert_eq!(lambdas, [Some(4.0), Some(2.0), Some(2.0), Some(6.0)]);
+        let fates = [1, 2].map(|place| work.fate(place, Span::ahead()));
+        assert_eq!(fates, [Fate::Nearest, Fate::Farther]);
+        assert_eq!(work.hit(Span::ahead()).unwrap().map(|hit| hit.normal), Some(DVec3::X));
+    }
+
+    /// By hand: from the axis along x the walls are at λ = 1 and λ = −1.
+    #[test]
+    fn what_is_behind_is_outside_the_span() {
+        let work = notes(&Ray3::<f64>::new(DVec3::ZERO, DVec3::X), Shape::Cylinder);
+        let fates = [0, 1].map(|place| (work.candidates()[place].lambda, work.fate(place, Span::ahead())));
+        assert_eq!(fates, [(Some(1.0), Fate::Nearest), (Some(-1.0), Fate::OutsideSpan)]);
+    }
 }

@@ -92,6 +92,8 @@ mod tests {
         // and as far beside the base along y
         let beside = Ray3::<f64>::new(DVec3::new(0.25, 0.75, -2.0), DVec3::Z);
         assert_eq!(hit(&beside, Span::ahead()), Ok(None));
+        let beside = Ray3::<f64>::new(DVec3::new(0.25, -0.75, -2.0), DVec3::Z);
+        assert_eq!(hit(&beside, Span::ahead()), Ok(None));
     }
 
     #[test]
@@ -116,5 +118,40 @@ mod tests {
             assert!(z == 0.0 || residual.abs() < 64.0 * f64::EPSILON, "{seen:?}: {residual:e}");
             assert!(seen.point.distance(ray.at(seen.t)) == 0.0 && seen.normal.dot(ray.direction) < 0.0);
         }
+    }
+
+    /// By hand: up along x = ½ the ellipsoid is touched at z = 0, where A λ² + 2 B λ + C is λ² − 2 λ + 1, and the base
+    /// is as near. At the rim the ellipsoid is upright.
+    #[test]
+    fn a_tie_at_the_rim_is_the_walls() {
+        let ray = Ray3::<f64>::new(DVec3::new(0.5, 0.0, -2.0), DVec3::Z * 2.0);
+        let seen = hit(&ray, Span::ahead()).unwrap().unwrap();
+        assert_eq!((seen.t, seen.point, seen.normal), (1.0, DVec3::X * 0.5, DVec3::X));
+    }
+
+    /// By hand: from x = ¼ by 2 λ it is left at x = ½, λ = ⅛.
+    #[test]
+    fn the_direction_need_not_be_of_length_one() {
+        let ray = Ray3::<f64>::new(DVec3::X * 0.25, DVec3::X * 2.0);
+        let seen = hit(&ray, Span::ahead()).unwrap().unwrap();
+        assert_eq!((seen.t, seen.point, seen.normal), (0.125, DVec3::X * 0.5, DVec3::X));
+    }
+
+    /// By hand: at (−2/5, 0, 3/5) half the gradient is (x, y, ¼ z) = (−8, 0, 3) / 20.
+    #[test]
+    fn the_normal_of_the_printed_surface_is_its_gradient() {
+        let ray = Ray3::<f64>::new(DVec3::new(-1.0, 0.0, 0.6), DVec3::X);
+        let normal = hit(&ray, Span::ahead()).unwrap().unwrap().normal;
+        // x is off by 8 units of the last digit of 1 at most, as above, and ¼ z by half a one; that is 20 of a length
+        // of 0.43. Then a dozen numbers of at most 1 are rounded, each by half a unit.
+        let few = 26.0 * f64::EPSILON;
+        assert!(normal.distance(DVec3::new(-8.0, 0.0, 3.0) / 73.0_f64.sqrt()) <= few, "{normal}");
+    }
+
+    /// From on the base up, λ is −0 / 1.
+    #[test]
+    fn minus_zero_is_zero() {
+        let seen = hit(&Ray3::<f64>::new(DVec3::ZERO, DVec3::Z), Span::ahead()).unwrap().unwrap();
+        assert_eq!((seen.t.to_bits(), seen.normal), (0, -DVec3::Z));
     }
 }

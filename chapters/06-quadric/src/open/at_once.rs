@@ -147,8 +147,8 @@ impl Wall {
         if leaves {
             return nowhere;
         }
-        // most of what misses does so clearly: B² and A C are off by 97 u (T E)², and rounded
-        if b.value * b.value - a.value * c.value < -(D_OFF * numbers.size * numbers.size) {
+        // most of what misses does so clearly
+        if numbers.is_clear_miss() {
             return nowhere;
         }
         let d = b * b - a * c;
@@ -174,6 +174,15 @@ impl Wall {
     }
 }
 
+impl Numbers {
+    /// D is less than zero by more than it is off by: B² and A C are off by 97 u (T E)², and rounded.
+    #[inline(always)]
+    fn is_clear_miss(&self) -> bool {
+        let Numbers { a, b, c, size, .. } = *self;
+        b.value * b.value - a.value * c.value < -(D_OFF * size * size)
+    }
+}
+
 /// a · b
 #[inline(always)]
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -184,4 +193,45 @@ pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 #[inline(always)]
 pub(super) fn sum_of_sizes([x, y, z]: [f64; 3]) -> f64 {
     x.abs() + y.abs() + z.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// 2^−53
+    const U: f64 = f64::EPSILON / 2.0;
+
+    /// A pipe of radius 1, 4 long.
+    fn pipe() -> Wall {
+        Wall::of(&OpenCone::new(DVec3::ZERO, 1.0, DVec3::Z * 4.0, 1.0)).unwrap()
+    }
+
+    /// By hand: T is 2 + 1, of the way that the origin was moved, and the radius 1; E is 1. 48 u of T², T E and E².
+    #[test]
+    fn a_long_way_makes_the_bounds_larger() {
+        let numbers = pipe().numbers([2.0, 0.0, 0.0], 2.0_f64.powi(24), [0.0, 0.0, 1.0]).unwrap();
+        assert_eq!(numbers.size, 4.0);
+        let errors = [numbers.a, numbers.b, numbers.c].map(|number| number.error);
+        assert_eq!(errors, [48.0 * U, 192.0 * U, 768.0 * U]);
+    }
+
+    /// By hand: 3.5 u of 4 are 14 u, and 4 u of it 16 u.
+    #[test]
+    fn the_length_is_off_by_a_share_of_itself() {
+        assert_eq!(pipe().end(), Bounded { value: 4.0, error: 16.0 * U });
+    }
+
+    /// By hand: with A = 1, B = 0 and T E = 2 D is −C, and 256 u (T E)² are 1024 u.
+    #[test]
+    fn a_miss_is_clear_beyond_the_bound() {
+        let is_clear_miss = |c: f64| {
+            let [zero, one, c] = [0.0, 1.0, c].map(Bounded::exactly);
+            Numbers { a: one, b: zero, c, height: zero, rise: zero, size: 2.0 }.is_clear_miss()
+        };
+        let bound = 1024.0 * U;
+        assert_eq!([bound.next_up(), 1.0].map(is_clear_miss), [true; 2]);
+        assert_eq!([bound, bound / 2.0, 0.0, -1.0].map(is_clear_miss), [false; 4]);
+    }
 }

@@ -91,4 +91,21 @@ mod tests {
         let (low, high) = OpenCone::new(V::ZERO, 1.0, V::new(1.0, 1e-200, 0.0), 1.0).bounds();
         assert!(low[0] <= -1e-200 && high[0] >= 1.0 && high[0] < 1.0_f64.next_up().next_up());
     }
+
+    /// By hand: v = (6, 8, 0) s is no number, 8 s being 2^1024: across it 4/5 of a radius in x, 3/5 of it in y, all of
+    /// it in z.
+    #[test]
+    fn a_wall_may_be_longer_than_the_largest_number() {
+        let s = 2.0_f64.powi(1021);
+        let [base, apex] = [V::new(-3.0, -4.0, 4.0), V::new(3.0, 4.0, 4.0)].map(|middle| middle * s);
+        assert!(!(apex - base).is_finite());
+        let (low, high) = OpenCone::new(base, 1.25 * s, apex, 1.25 * s).bounds();
+        for (got, exact, out) in [(low, [-4.0, -4.75, 2.75], -1.0), (high, [4.0, 4.75, 5.25], 1.0)] {
+            for axis in 0..3 {
+                // 9 u and 16 u of at most 5/4, then twice a unit of the last digit of less than 8
+                let beyond = (got[axis] / s - exact[axis]) * out;
+                assert!((0.0..=24.0 * f64::EPSILON).contains(&beyond), "{low:?} {high:?}");
+            }
+        }
+    }
 }

@@ -24,9 +24,7 @@ impl<R: Real> OpenCone<R> {
     pub fn normal(&self, point: R::Vec3) -> R::Vec3 {
         let point = point.in_f64::<3>();
         let gradient = self.in_f64().half_gradient(point);
-        let largest = gradient.into_iter().fold(0.0, |most: f64, component| most.max(component.abs()));
-        let is_safe = gradient.iter().all(|component| component.is_finite()) && largest > SMALLEST_SAFE;
-        if is_safe { unit::<R>(gradient) } else { self.wide_normal(point.map(Wide::from)) }
+        if is_safe(gradient) { unit::<R>(gradient) } else { self.wide_normal(point.map(Wide::from)) }
     }
 
     /// The same at a point that need not be a number of R, and for measures whose squares are none.
@@ -80,6 +78,13 @@ impl OpenCone<f64> {
         let along = height + r * kappa;
         [0, 1, 2].map(|axis| w[axis] - along * v[axis])
     }
+}
+
+/// Whether all of a gradient are numbers, and not so small that they may have lost digits.
+#[inline(always)]
+fn is_safe(gradient: [f64; 3]) -> bool {
+    let largest = gradient.into_iter().fold(0.0, |most: f64, component| most.max(component.abs()));
+    gradient.iter().all(|component| component.is_finite()) && largest > SMALLEST_SAFE
 }
 
 /// a · b
@@ -137,5 +142,20 @@ mod tests {
         let tiny = 1e-300;
         let pipe = OpenCone::<f64>::new(DVec3::ZERO, tiny, DVec3::Z * tiny, tiny);
         assert_eq!(pipe.normal(DVec3::new(-tiny, 0.0, tiny / 2.0)), -DVec3::X);
+    }
+
+    /// By hand: from radius 3 to radius 1, 4 higher, κ is −½. At (2, 0, 2) the radius is 2, and the gradient 2 out from
+    /// the axis and 2 · ½ up.
+    #[test]
+    fn half_the_gradient() {
+        let cone = OpenCone::<f64>::new(DVec3::ZERO, 3.0, DVec3::Z * 4.0, 1.0);
+        assert_eq!(cone.half_gradient([2.0, 0.0, 2.0]), [2.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn a_gradient_is_safe_if_it_is_finite_and_not_tiny() {
+        assert!(is_safe([0.0, -1.0, 0.0]) && is_safe([SMALLEST_SAFE.next_up(), 0.0, 0.0]));
+        assert!(!is_safe([0.0; 3]) && !is_safe([0.0, 0.0, -SMALLEST_SAFE]));
+        assert!(!is_safe([1.0, f64::INFINITY, 0.0]) && !is_safe([1.0, f64::NAN, 0.0]));
     }
 }

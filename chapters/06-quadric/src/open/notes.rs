@@ -159,3 +159,28 @@ impl<R: Real> Notes<R> {
         Ok(lambda.map(|lambda| Hit { t: lambda + R::from(0.0), point, normal })) // minus zero is zero
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// By hand: along y at x = 2 a pipe of radius 2 is touched at λ = 3, by both roots.
+    #[test]
+    fn of_two_equal_roots_the_first_is_taken() {
+        let pipe = OpenCone::<f64>::new(DVec3::ZERO, 2.0, DVec3::Z * 4.0, 2.0);
+        let work = notes(&Ray3::new(DVec3::new(2.0, -3.0, 1.0), DVec3::Y), &pipe);
+        assert_eq!(work.candidates.map(|candidate| candidate.lambda), [Some(3.0); 2]);
+        assert_eq!(work.nearest(Span::ahead()), Some(0));
+    }
+
+    /// By hand: parallel to the far side from a place of the wall A and C are 0 and B is 4; λ is −0 / 8.
+    #[test]
+    fn minus_zero_is_zero() {
+        let tip = OpenCone::<f64>::new(DVec3::ZERO, 2.0, DVec3::Z * 4.0, 0.0);
+        let work = notes(&Ray3::new(DVec3::X * -2.0, DVec3::new(-1.0, 0.0, 2.0)), &tip);
+        assert_eq!((work.a, work.b, work.c), (0.0, 4.0, 0.0));
+        let hit = work.hit(Span::ahead()).unwrap().unwrap();
+        assert_eq!((hit.t.to_bits(), hit.point), (0, DVec3::X * -2.0));
+    }
+}

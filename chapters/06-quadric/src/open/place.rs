@@ -149,4 +149,16 @@ mod tests {
         assert_eq!(product([tiny, one, one], [one, -one, TwoPart::from(0.0)]), u * u);
         assert_eq!(product([one, one, one], [tiny, -one, TwoPart::from(0.0)]), u * u);
     }
+
+    /// By hand: from 1 beside the axis to the axis of a thread, where f is −r², x is zero and ρ is r; 2^−190 is 6e−58.
+    #[test]
+    fn on_the_axis_of_a_thread_squares_may_vanish() {
+        let f = |radius: f64| {
+            let thread = OpenCone::new(f64::vec3(0.0, 0.0, 0.0), radius, f64::vec3(0.0, 0.0, 1.0), radius);
+            let (wall, line) = (Wall::of(&thread).unwrap(), [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]]);
+            Place::at(1.0, &wall, &thread, line).map(|place| place.f.value)
+        };
+        assert_eq!(f(2.0_f64.powi(-190)), Some(-(2.0_f64.powi(-380))));
+        assert_eq!(f(2.0_f64.powi(-240)), None, "of numbers below 1e−60 nothing is said");
+    }
 }

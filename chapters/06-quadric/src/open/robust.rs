@@ -111,12 +111,13 @@ fn exact_t<R: Real>(cone: &OpenCone<f64>, o: [f64; 3], d: [f64; 3], verdict: Ver
     Line::<Exact>::new(cone, o, d).t(verdict)
 }
 
-/// Larger than `min` by so much that λ is, too, of which t is the rounded value.
+/// Whether the λ ≥ 0 of which t is the rounded value is clearly in a span from `min` on: that begins no later than the
+/// ray, or t is larger by so much that λ is, too.
 #[inline(always)]
-fn is_clearly_beyond<R: Real>(t: R, min: R) -> bool {
+fn is_clearly_from<R: Real>(min: R, t: R) -> bool {
     const LESS: f64 = 1.0 - 1.0 / (1 << 20) as f64;
     let (t, min): (f64, f64) = (t.into(), min.into());
-    t * LESS > min
+    min <= 0.0 || t * LESS > min
 }
 
 impl<R: Real> Robust<R> {
@@ -127,9 +128,8 @@ impl<R: Real> Robust<R> {
     /// `None` for a miss, [`Degenerate`] for a question without an answer, see [`OpenCone::check`].
     #[inline(always)]
     pub fn hit(&self, span: Span<R>) -> Result<Option<Hit3<R>>, Degenerate> {
-        let zero = R::from(0.0);
         let Some(t) = self.t else { return self.refused.map_or(Ok(None), Err) };
-        let (verdict, t) = if span.min <= zero || is_clearly_beyond(t, span.min) {
+        let (verdict, t) = if is_clearly_from(span.min, t) {
             (self.verdict, t)
         } else {
             let Some(later) = self.later(span.min) else { return Ok(None) };
@@ -138,7 +138,7 @@ impl<R: Real> Robust<R> {
         if !(span.min <= t && t <= span.max) {
             return Ok(None);
         }
-        let t = t + zero; // minus zero is zero
+        let t = t + R::from(0.0); // minus zero is zero
         Ok(Some(self.hit_at(verdict, t)))
     }
 
@@ -194,5 +194,23 @@ impl<R: Real> Robust<R> {
     #[inline(always)]
     fn is_tip(&self, verdict: Verdict) -> bool {
         verdict.end().is_some_and(|end| self.cone.radius(end) == R::from(0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: 2^20 (1 − 2^−20) is 2^20 − 1.
+    #[test]
+    fn a_span_clearly_begins_before_t() {
+        let (t, less) = (2.0_f64.powi(20), 2.0_f64.powi(20) - 1.0);
+        for min in [f64::NEG_INFINITY, -1.0, 0.0, 1.0, less.next_down()] {
+            assert!(is_clearly_from(min, t), "{min}");
+        }
+        for min in [less, t, f64::INFINITY, f64::NAN] {
+            assert!(!is_clearly_from(min, t), "{min}");
+        }
+        assert!(is_clearly_from(0.0, 0.0), "no λ is below zero");
     }
 }

@@ -203,3 +203,32 @@ fn far_beyond_the_largest_number() {
         assert!(hit.normal.is_finite());
     }
 }
+
+/// By hand: 49 · (1/49) as rounded is 1 − 2⁻⁵³, which leads not quite to the tip.
+#[test]
+fn a_tip_is_met_though_t_leads_beside_it() {
+    let tip = OpenCone::new(V::ZERO, 1.0, V::Z, 0.0);
+    let aslant = Ray3::new(V::new(-1.0, 0.0, 2.0), V::new(49.0, 0.0, -49.0));
+    let work = robust(&aslant, &tip);
+    let hit = work.hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((work.verdict, hit.t), (Verdict::Edge(End::Apex), 1.0 / 49.0));
+    assert_eq!((hit.point, hit.normal), (V::new(-f64::EPSILON / 2.0, 0.0, 1.0), V::Z));
+}
+
+#[test]
+fn the_end_of_a_verdict() {
+    let ends = [Verdict::Starts(Some(End::Apex)), Verdict::Edge(End::Base), Verdict::Starts(None)];
+    assert_eq!(ends.map(Verdict::end), [Some(End::Apex), Some(End::Base), None]);
+    assert_eq!([Verdict::Misses, Verdict::Outer, Verdict::Inner].map(Verdict::end), [None; 3]);
+}
+
+/// By hand: from x = −1 to 3/2, in units of 2^1023, are two directions of 5/4. That sum is a number, twice 5/4 is none.
+#[test]
+fn where_t_is_a_number_and_t_d_is_none() {
+    let unit = scaled(1.0, 1023);
+    let pipe = OpenCone::new(V::ZERO, 1.5 * unit, V::Z, 1.5 * unit);
+    let ray = Ray3::<f64>::new(V::new(-unit, 0.0, 0.5), V::X * (1.25 * unit));
+    assert_eq!(ray.at(2.0).x, f64::INFINITY);
+    let hit = robust(&ray, &pipe).hit(Span::ahead()).unwrap().unwrap();
+    assert_eq!((hit.t, hit.point, hit.normal), (2.0, V::new(1.5 * unit, 0.0, 0.5), V::X));
+}

@@ -227,3 +227,37 @@ impl<N: Sure> Line<N> {
         N::root(&quadratic, s)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Shape::{self, Cone, Cylinder};
+    use math::Exact;
+
+    fn verdict(shape: Shape, origin: [f64; 3], direction: [f64; 3]) -> Verdict {
+        Line::<Exact>::beside_unit(shape, origin, direction).verdict().unwrap()
+    }
+
+    /// By hand: (3 − λ, 0, ±(2 − ½λ)) is at x = 1, z = ±1 at λ = 2, and (5/2 − λ, 0, −1 + ½λ) at x = ½, z = 0.
+    #[test]
+    fn a_rim_is_the_walls() {
+        for (shape, origin, d_z, plane) in [
+            (Cylinder, [3.0, 0.0, 2.0], -0.5, Part::Top),
+            (Cylinder, [3.0, 0.0, -2.0], 0.5, Part::Bottom),
+            (Cone, [2.5, 0.0, -1.0], 0.5, Part::Base),
+        ] {
+            let rim = Place { part: Part::Wall, plane: Some(plane) };
+            assert_eq!(verdict(shape, origin, [-1.0, 0.0, d_z]), Verdict::Enters(rim));
+            let on_rim = [origin[0] - 2.0, 0.0, origin[2] + 2.0 * d_z];
+            assert_eq!(verdict(shape, on_rim, [-1.0, 0.0, d_z]), Verdict::Starts(Part::Wall));
+        }
+    }
+
+    /// By hand: (2 − λ, 0, 3 − λ) is at (0, 0, 1) at λ = 2.
+    #[test]
+    fn the_apex_is_its_own() {
+        let apex = Place { part: Part::Apex, plane: Some(Part::Apex) };
+        assert_eq!(verdict(Cone, [2.0, 0.0, 3.0], [-1.0, 0.0, -1.0]), Verdict::Enters(apex));
+        assert_eq!(verdict(Cone, [0.0, 0.0, 1.0], [-1.0, 0.0, -1.0]), Verdict::Starts(Part::Apex));
+    }
+}
