@@ -88,16 +88,23 @@ fn the_bound_by_hand() {
     }
 }
 
+/// An eye between two mirrors, of 0.1 each by themselves.
+fn between_mirrors(mirror: f64) -> File {
+    let text = format!(
+        "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\nwindow = [-1e-3, 1e-3, -1e-3, 1e-3]\n\
+         [material.m]\ndiffuse = 0\nmirror = {mirror}\n\
+         [[object]]\nmaterial = \"m\"\nplane = {{ point = [0, 0, 1], normal = [0, 0, 1] }}\n\
+         [[object]]\nmaterial = \"m\"\nplane = {{ point = [0, 0, -1], normal = [0, 0, 1] }}\n"
+    );
+    File::from_toml("mirrors.toml", &text, std::path::Path::new("")).unwrap()
+}
+
 /// By hand: between two mirrors of r_g = 1 and r_a I_a C = 0.1 each ray brings 0.1, and the bounds are what
 /// comes: 0.5 at depth 1 of 5. Within 0.25 the rays of depth 4 and 5 can be left out, 0.2 together, and not
 /// that of depth 3 too.
 #[test]
 fn between_two_mirrors_the_bound_is_what_comes() {
-    let text = "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\nwindow = [-1e-3, 1e-3, -1e-3, 1e-3]\n\
-                [material.m]\ndiffuse = 0\nmirror = 1\n\
-                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, 1], normal = [0, 0, 1] }\n\
-                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n";
-    let file = File::from_toml("mirrors.toml", text, std::path::Path::new("")).unwrap();
+    let file = between_mirrors(1.0);
     let pixels = 16 * 12;
     let full = drawn::<f64>(&file, 5, None);
     assert_eq!(full.counts.rays(), 5 * pixels);
@@ -131,11 +138,7 @@ fn a_weight_without_digits_counts_as_one_with_all_of_them() {
 /// count with 1/16, 1/8, 1/4 and 1/2: they bring 0.00625, 0.01875, 0.04375 and 0.09375 at most.
 #[test]
 fn a_ray_counts_with_the_coefficients_on_its_way() {
-    let text = "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, 1]\nwindow = [-1e-3, 1e-3, -1e-3, 1e-3]\n\
-                [material.m]\ndiffuse = 0\nmirror = 0.5\n\
-                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, 1], normal = [0, 0, 1] }\n\
-                [[object]]\nmaterial = \"m\"\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n";
-    let file = File::from_toml("mirrors.toml", text, std::path::Path::new("")).unwrap();
+    let file = between_mirrors(0.5);
     for (e, rays) in
         [(0.006, 5), (0.007, 4), (0.018, 4), (0.019, 3), (0.043, 3), (0.044, 2), (0.093, 2), (0.094, 1)]
     {
