@@ -24,3 +24,15 @@ pub const PENTAGRAM: [[f32; 2]; 5] = [[0.0, 10.0], [-6.0, -8.0], [10.0, 3.0], [-
 pub fn in_space<R: Real>(star: &[[f32; 2]]) -> Vec<R::Vec3> {
     star.iter().map(|&[x, y]| R::vec3(R::from(x), R::from(y), R::from(0.0))).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_stars_are_their_own_mirror_images() {
+        let is_in = |star: &[[f32; 2]], corner: [f32; 2]| star.contains(&corner);
+        assert!(CONCAVE.iter().all(|&[x, y]| is_in(&CONCAVE, [-x, y])));
+        assert!(PENTAGRAM.iter().all(|&[x, y]| is_in(&PENTAGRAM, [-x, y]) && is_in(&CONCAVE, [x, y])));
+    }
+}

@@ -26,6 +26,12 @@ pub(super) struct Corrected<R> {
 /// By its bound, which is nearly always much too large, half of the digits of a point are right.
 const HALF_THE_DIGITS: f64 = 1.0 / (1u64 << 26) as f64;
 
+/// Whether half of the digits of a point are right, by its bound, or of s where that is larger.
+#[inline(always)]
+fn has_half_its_digits(p: &[Bounded<f64>; 3], s: f64) -> bool {
+    p.iter().all(|p| p.error <= HALF_THE_DIGITS * (p.value.abs() + s))
+}
+
 /// λ of a place where the line enters or leaves; `None` where it takes more than this.
 #[inline(always)]
 pub(super) fn corrected<R: Real>(
@@ -51,7 +57,7 @@ pub(super) fn corrected<R: Real>(
     };
     let p = [0, 1, 2].map(|axis| leading(q[axis]) + delta * d[axis]);
     let s = line.s.value;
-    if !p.iter().all(|p| p.error <= HALF_THE_DIGITS * (p.value.abs() + s)) {
+    if !has_half_its_digits(&p, s) {
         return None;
     }
     Some(Corrected { lambda: delta.added_to(rough)?, p: p.map(|p| p.value / s) })
@@ -108,5 +114,21 @@ fn slopes<N: Sure>(object: Object, [x, y, z]: &[N; 3], [d_x, d_y, d_z]: &[N; 3],
             (a - quarter(product(d_z, d_z)), b + quarter(product(&below, d_z)))
         }
         Object::Sphere | Object::Plane | Object::Triangle => (a + product(d_z, d_z), b + product(z, d_z)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: 2⁻²⁶ of 3 + 1.
+    #[test]
+    fn half_of_the_digits_are_26() {
+        let most = 4.0 * 2.0_f64.powi(-26);
+        let has = |error: f64| {
+            let off = Bounded { value: -3.0, error };
+            has_half_its_digits(&[Bounded::exactly(1.0), off, Bounded::exactly(0.0)], 1.0)
+        };
+        assert!(has(0.0) && has(most) && !has(most.next_up()));
     }
 }

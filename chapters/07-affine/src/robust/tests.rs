@@ -3,6 +3,10 @@
 use glam::DVec3;
 use math::{Certainty, Ray3, Span};
 
+use quadric::Part;
+use quadric::robust::Place;
+
+use super::exact::ExactLine;
 use super::{Verdict, robust};
 use crate::{Affine, Deformed, Matrix3, Object};
 
@@ -160,6 +164,11 @@ fn along_one_slope_the_other_is_met_once() {
     let hit = robust(&Ray3::<f64>::new(DVec3::new(-1.0, 0.0, 2.0), DVec3::new(1.0, 0.0, -2.0)), &cone);
     let hit = hit.hit(Span::ahead()).unwrap().unwrap();
     assert_eq!((hit.t, hit.point), (0.75, DVec3::new(-0.25, 0.0, 0.5)));
+    // worked out to the end: A is zero there, and λ = C / 2 B
+    let ray = Ray3::<f64>::new(DVec3::new(-1.0, 0.0, 2.0), DVec3::new(1.0, 0.0, -2.0));
+    let wall = Place { part: Part::Wall, plane: None };
+    let exact = ExactLine::of(&ray, &cone);
+    assert_eq!(exact.line.lambda(Object::Cone, wall, true), Some(0.75_f64));
     let narrow = Deformed::<f32>::new(
         Object::Cone,
         Affine { a: Matrix3::from_rows(IDENTITY.map(|row| row.map(|x| x as f32))), t: glam::Vec3::ZERO },
@@ -168,33 +177,29 @@ fn along_one_slope_the_other_is_met_once() {
     assert_eq!(robust(&ray, &narrow.unwrap()).hit(Span::ahead()).unwrap().unwrap().t, 0.75);
 }
 
-/// By hand: chords from λ = 1 to 2, one end of which is 2⁻³⁰ above the plane z = 0, or next to the cone's apex. Where they
-/// leave, all digits of z are right, or of x and y: nothing was lost in a difference.
+/// By hand: chords from λ = 1 to 2, one end of which is 2⁻³⁰ from the plane z = 0, or next to the cone's apex, of numbers
+/// so long that no product of them is exact. Where they leave, all digits of z are right, or of x and y: nothing was lost
+/// in a difference.
 #[test]
 fn where_a_chord_leaves_nothing_is_lost() {
-    let little = 2.0_f64.powi(-30);
-    let near_apex = 2.0_f64.powi(-24);
+    let [little, last, near] = [-30, -48, -24].map(|power| 2.0_f64.powi(power));
+    let by_apex = [3.0 * near, 4.0 * near, 16.0 - 10.0 * near];
     for (object, size, enters, leaves) in [
-        (Object::Cylinder, 5.0, [-4.0, 3.0, -4.0], [3.0, 4.0, little]),
-        (Object::Cylinder, 5.0, [-4.0, 3.0, little], [3.0, 4.0, 4.0]),
-        (Object::Cylinder, 5.0, [-4.0, 3.0, 4.0], [3.0, 4.0, -little]),
-        (Object::Cone, 16.0, [-3.0, -4.0, 0.0], [3.0 * near_apex, 4.0 * near_apex, 16.0 - 10.0 * near_apex]),
-        (Object::Cone, 16.0, [3.0, 0.0, 0.0], [3.0 * near_apex, 4.0 * near_apex, 16.0 - 10.0 * near_apex]),
+        (Object::Cylinder, 5.0, [-4.0, 3.0, -4.0 + last], [3.0, 4.0, little]),
+        (Object::Cylinder, 5.0, [-4.0, 3.0, little], [3.0, 4.0, 4.0 - last]),
+        (Object::Cylinder, 5.0, [-4.0, 3.0, 4.0 - last], [3.0, 4.0, -little]),
+        (Object::Cone, 16.0, [-3.0 + last, -4.0 - 2.0 * last, 0.0], by_apex),
+        (Object::Cone, 16.0, [3.0 - last, 2.0 * last, 0.0], by_apex),
     ] {
         let larger = [[size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]];
         let deformed = deformed(object, larger, [0.0; 3]);
         let (enters, leaves) = (DVec3::from(enters), DVec3::from(leaves));
         let ray = Ray3::<f64>::new(enters - (leaves - enters), leaves - enters);
+        assert_eq!((ray.at(1.0), ray.at(2.0)), (enters, leaves), "no end of it was rounded");
         let found = robust(&ray, &deformed).found(Span::new(1.5, f64::INFINITY)).unwrap().unwrap();
         assert_eq!(found.lambda, 2.0, "{} {leaves}", object.name());
-        let off = found.p - leaves / size;
-        for axis in 0..3 {
-            assert!(
-                off[axis].abs() <= 4.0 * f64::EPSILON * (leaves[axis] / size).abs(),
-                "{} {off}",
-                object.name()
-            );
-        }
+        let (off, most) = ((found.p - leaves / size).abs(), (leaves / size).abs() * (4.0 * f64::EPSILON));
+        assert!(off.cmple(most).all(), "{} {off} {most}", object.name());
     }
 }
 
