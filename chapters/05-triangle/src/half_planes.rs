@@ -67,7 +67,7 @@ impl<R: Real> HalfPlanes<R> {
     }
 
     /// α and β of the point. They need no further work: the side of an edge, as a share of n · n, is the share of the
-    /// corner across it. `None` where there is no such point.
+    /// corner across it. `None` where there is no such point, or one of its numbers overflows.
     #[inline]
     pub fn alpha_beta(&self) -> Option<(R, R)> {
         // exercise shares: The three sides sum to n · n: which of them is the share of p̄2, and which that of p̄3?

@@ -80,7 +80,7 @@ impl<R: Real> Matrix<R> {
         parallel(&self.ray, &self.triangle)
     }
 
-    /// α and β; `None` where there is no single solution.
+    /// α and β; `None` where there is no single solution, or one of its numbers overflows.
     #[inline]
     pub fn alpha_beta(&self) -> Option<(R, R)> {
         (self.alpha.is_finite() && self.beta.is_finite()).then_some((self.alpha, self.beta))

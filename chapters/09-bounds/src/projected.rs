@@ -215,12 +215,16 @@ mod tests {
     use glam::{DVec3, Vec3};
     use math::{Camera, Handedness, Window};
 
-    /// From the origin along z, a window of side 2 at distance 1, ten by ten pixels.
-    fn seen(low: [f32; 3], high: [f32; 3]) -> Option<Rectangle> {
-        let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
+    /// From the origin along z, a square window at distance 1 that reaches so far to each side, ten by ten pixels.
+    fn before(half: f64, grid: Grid) -> Scene<f64> {
+        let window = Window { left: -half, right: half, bottom: -half, top: half };
         let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
-        let scene = Scene::<f64> { camera, grid: Grid::Centers, size: (10, 10), objects: Vec::new() };
-        rectangle(&scene, &Box3 { low, high })
+        Scene { camera, grid, size: (10, 10), objects: Vec::new() }
+    }
+
+    /// What is seen of a box through a window of side 2.
+    fn seen(low: [f32; 3], high: [f32; 3]) -> Option<Rectangle> {
+        rectangle(&before(1.0, Grid::Centers), &Box3 { low, high })
     }
 
     /// By hand: a window 4 wide and 6 high, of 8 by 3 pixels, whose columns are ½ apart and whose rows are −2; or as far
@@ -272,16 +276,12 @@ mod tests {
     }
 
     /// By hand: at distance 1 a ray of `f64`, whose direction is off by 2⁻⁴⁹ of its reach, goes ahead for sure where
-    /// that is at most ½.
+    /// that is at most ½. The reach is half a side for x, as much for y, and 1.
     #[test]
     fn a_window_that_is_too_large_has_no_depth() {
         for (half, has_depth) in [(1.5, true), (2.0, false), (4.0, false)] {
-            let half = half * scaled(1.0, 47);
-            let window = Window { left: -half, right: half, bottom: -1.0, top: 1.0 };
-            let camera =
-                Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
-            let scene = Scene::<f64> { camera, grid: Grid::Centers, size: (8, 3), objects: Vec::new() };
-            assert_eq!(View::of(&scene).has_depth, has_depth, "{half:e}");
+            let half = half * scaled(1.0, 46);
+            assert_eq!(View::of(&before(half, Grid::Centers)).has_depth, has_depth, "{half:e}");
         }
     }
 
@@ -299,9 +299,7 @@ mod tests {
     /// corner is a million times as far aside, its place is off by more.
     #[test]
     fn a_rectangle_is_larger_where_its_corners_are_less_certain() {
-        let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
-        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
-        let scene = Scene::<f64> { camera, grid: Grid::Lattice, size: (10, 10), objects: Vec::new() };
+        let scene = before(1.0, Grid::Lattice);
         let first = |right: f32| {
             let bounds = Box3 { low: [2e-16, 0.0, 1e-6], high: [right, 0.0, 1e-6] };
             *rectangle(&scene, &bounds).unwrap().cols.start()

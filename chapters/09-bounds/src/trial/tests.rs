@@ -9,17 +9,19 @@ use ray_sphere::Sphere;
 use signature::{Object, Scene};
 
 /// Spheres of radius 1 on the axis z, whose near sides are at these places.
-fn balls(near: &[f64]) -> Scene<f64> {
-    let window = Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
-    let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, Handedness::Left, 1.0, window).unwrap();
-    let ball = |&near: &f64| Shape::Sphere(Sphere { center: DVec3::Z * (near + 1.0), radius: 1.0 });
+fn balls<R: Real>(near: &[f64]) -> Scene<R> {
+    let [zero, one] = [R::from(0.0), R::from(1.0)];
+    let [origin, y, z] = [R::vec3(zero, zero, zero), R::vec3(zero, one, zero), R::vec3(zero, zero, one)];
+    let window = Window { left: -one, right: one, bottom: -one, top: one };
+    let camera = Camera::looking(origin, z, y, Handedness::Left, one, window).unwrap();
+    let ball = |&near: &f64| Shape::Sphere(Sphere { center: z * R::round_from(near + 1.0), radius: one });
     let objects = near.iter().map(|near| Object { id: None, shape: ball(near) }).collect();
     Scene { camera, grid: Grid::Centers, size: (1, 1), objects }
 }
 
 /// What is nearest to the origin, and whether that was certain at a glance, of spheres that are tried in this order.
 fn nearest(formulas: Method, near: &[f64], order: [usize; 2]) -> (usize, bool) {
-    let scene = balls(near);
+    let scene = balls::<f64>(near);
     let parts = Parts::of(&scene);
     let query = Query::new(Ray3::new(DVec3::ZERO, DVec3::Z), Span::ahead());
     let trial = Trial::of(formulas, &parts);
@@ -53,22 +55,8 @@ fn lambda_is_worked_out_where_a_glance_does_not_tell() {
 /// Whatever is within what it says may be nearer: rounded to `f32`, it is not below the end of a glance.
 #[test]
 fn what_is_certain_at_a_glance_reaches_as_far_as_it_may_be() {
-    let scene = balls(&[1.0]);
-    let narrow = Scene::<f32> {
-        camera: Camera::looking(
-            glam::Vec3::ZERO,
-            glam::Vec3::Z,
-            glam::Vec3::Y,
-            Handedness::Left,
-            1.0,
-            Window { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 },
-        )
-        .unwrap(),
-        grid: scene.grid,
-        size: scene.size,
-        objects: Vec::new(),
-    };
-    let (parts, trial) = (Parts::of(&narrow), Trial::Robust);
+    let scene = balls::<f32>(&[1.0]);
+    let (parts, trial) = (Parts::of(&scene), Trial::Robust);
     let query = Query::new(Ray3::<f32>::new(glam::Vec3::ZERO, glam::Vec3::Z), Span::ahead());
     for place in 0..1000 {
         let around = Around { t: 1.0 + 0.001 * f64::from(place), off: 1e-9 };
@@ -82,7 +70,7 @@ fn what_is_certain_at_a_glance_reaches_as_far_as_it_may_be() {
 /// Carried by A⁻¹ (p̄ − t), the ray of the origin starts at −t: what is 6 before it was 4 before the origin.
 #[test]
 fn a_ray_is_carried_to_where_its_part_is() {
-    let scene = balls(&[4.0]);
+    let scene = balls::<f64>(&[4.0]);
     let parts = Parts::of(&scene);
     let query = Query::new(Ray3::new(DVec3::ZERO, DVec3::Z), Span::ahead());
     for formulas in Method::ALL {
@@ -97,7 +85,7 @@ fn a_ray_is_carried_to_where_its_part_is() {
 /// (face − 0) · (1 − 2⁻²²), rounded.
 #[test]
 fn a_hit_of_the_notes_counts_in_the_parts_own_box() {
-    let scene = balls(&[4.0]);
+    let scene = balls::<f64>(&[4.0]);
     let parts = Parts::of(&scene);
     let query = Query::new(Ray3::new(DVec3::ZERO, DVec3::Z), Span::ahead());
     for (face, counts) in [(3.0, true), (4.0 * (1.0 + 2.0_f32.powi(-22)), true), (4.5, false), (7.0, false)] {
