@@ -8,9 +8,9 @@ use bounds::{Bounded, Counts};
 use math::{Ray3, Real, Vector};
 use stage::{Ask, Error, Section, Transcript, Value};
 
-use crate::layout::{COLUMNS, Part, What};
+use crate::layout::{COLUMNS, Part, Term, What};
 use crate::own::{self, SCALES};
-use crate::picture::{color, lighting};
+use crate::picture::{color, lighting, of};
 use crate::render::{Landed, Rendered, Work};
 use crate::{Landing, Lighting, Rgb, Scene, Start, from_file};
 
@@ -27,12 +27,12 @@ pub(crate) fn explain<R: Real>(
         What::Term(term) => {
             let scene = from_file::scene::<R>(file, Some(part.size)).map_err(signature::stage::fault)?;
             let whole = if ask.scene.is_some() { String::new() } else { format!("of \"{}\"", term.label()) };
-            pixel_of(transcript, ask, &scene, Start::ALL[ask.method], (own, pixel), &whole);
+            pixel_of(transcript, ask, &scene, Start::ALL[ask.method], (own, pixel), (&whole, term));
         }
         What::Cell(row, column) => {
             let scene = own::small::<f32>(SCALES[row], part.size)?;
             let whole = format!("of the small scene at {:e}", SCALES[row]);
-            pixel_of(transcript, ask, &scene, COLUMNS[column], (own, pixel), &whole);
+            pixel_of(transcript, ask, &scene, COLUMNS[column], (own, pixel), (&whole, Term::All));
         }
     }
     Ok(())
@@ -44,7 +44,7 @@ fn pixel_of<R: Real>(
     scene: &Scene<R>,
     start: Start,
     (own, pixel): ((u32, u32), (u32, u32)),
-    whole: &str,
+    (whole, term): (&str, Term),
 ) {
     let bounded = Bounded::new(&scene.geometry, bounds::Method::Auto);
     let lighting = lighting(scene, &bounded, start);
@@ -86,7 +86,7 @@ fn pixel_of<R: Real>(
             }
         }
     }
-    eight_bits(transcript, ask, &lighting, own, samples, e);
+    eight_bits(transcript, ask, &lighting, (own, samples), (e, term));
 }
 
 /// What is hit.
@@ -136,30 +136,32 @@ fn background(transcript: &mut Transcript, color: Rgb) {
     section.step("E", "the background", rgb(color));
 }
 
-/// From E to the bytes of the picture.
+/// From E, or the term of it that is drawn, to the bytes of the picture.
 fn eight_bits<R: Real>(
     transcript: &mut Transcript,
     ask: &Ask,
     lighting: &Lighting<'_, R>,
-    own: (u32, u32),
-    samples: u32,
-    e: Rgb,
+    (own, samples): ((u32, u32), u32),
+    (e, term): (Rgb, Term),
 ) {
     let section = transcript.section("The pixel", "");
-    let e = if samples == 1 {
-        e
-    } else {
-        let mean = lighting.pixel(own, samples, &mut Work::default()).e;
-        section.step("E", &format!("the mean of the {} rays", samples * samples), rgb(mean));
-        mean
-    };
+    let seen = lighting.pixel(own, samples, &mut Work::default());
+    let (mut symbol, mut drawn) = ("E", e);
+    if samples > 1 {
+        drawn = seen.e;
+        section.step("E", &format!("the mean of the {} rays", samples * samples), rgb(drawn));
+    }
+    if term != Term::All {
+        (symbol, drawn) = ("drawn", of(term, &seen));
+        section.step(symbol, term.label(), rgb(drawn)).note("this part of the picture shows that alone");
+    }
     let formula = match ask.srgb {
-        true => "round(255 · sRGB(E)), E cut at 0 and 1",
-        false => "round(255 E), E cut at 0 and 1",
+        true => format!("round(255 · sRGB({symbol})), {symbol} cut at 0 and 1"),
+        false => format!("round(255 {symbol}), {symbol} cut at 0 and 1"),
     };
-    let bytes = color(ask, e).0.map(|byte| Value::number(f64::from(byte)));
-    section.step("red, green, blue", formula, Value::Array(bytes.to_vec()));
-    if e.largest() > 1.0 {
+    let bytes = color(ask, drawn).0.map(|byte| Value::number(f64::from(byte)));
+    section.step("red, green, blue", &formula, Value::Array(bytes.to_vec()));
+    if drawn.largest() > 1.0 {
         section.note("brighter than white, and cut");
     }
 }

@@ -91,7 +91,7 @@ fn place(what: What) -> usize {
 }
 
 /// What a term is of what a pixel sees.
-fn of(term: Term, seen: &Seen) -> Rgb {
+pub(crate) fn of(term: Term, seen: &Seen) -> Rgb {
     match term {
         Term::All => seen.e,
         Term::Ambient => seen.ambient,

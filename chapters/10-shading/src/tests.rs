@@ -21,14 +21,19 @@ fn value(sections: &[Section], symbol: &str) -> Option<Value> {
 /// method.
 #[test]
 fn what_is_explained_is_what_is_drawn() {
-    let size = (480, 433);
-    let all = layout::parts(size);
-    let mut places: Vec<(u32, u32)> = vec![(30, 150), (75, 95), (82, 60), (150, 110), (130, 145), (200, 5)];
-    // a cell of each row, each by another method
-    let cells = all[5..].iter().step_by(6);
-    places.extend(cells.map(|part| (part.at.0 + part.size.0 / 2, part.at.1 + part.size.1 / 2)));
+    // all parts; a picture of half that size has room for the scene alone
+    let (whole, alone) = ((480, 433), (234, 176));
+    let all = layout::parts(whole);
+    let mut places: Vec<((u32, u32), (u32, u32))> =
+        [(26, 146), (71, 91), (78, 56), (146, 106), (126, 141), (196, 1)]
+            .map(|pixel| (alone, pixel))
+            .to_vec();
+    // each term alone, and a cell of each row, each by another method
+    let parts = all[1..5].iter().chain(all[5..].iter().step_by(6));
+    places.extend(parts.map(|part| (whole, (part.at.0 + part.size.0 / 2, part.at.1 + part.size.1 / 2))));
     let requests = [(0, Precision::F64, false), (1, Precision::F32, true), (3, Precision::F32, false)];
-    for (number, ((method, precision, srgb), &pixel)) in requests.into_iter().cycle().zip(&places).enumerate()
+    for (number, ((method, precision, srgb), &(size, pixel))) in
+        requests.into_iter().cycle().zip(&places).enumerate()
     {
         // once with four rays a pixel, which takes four times as long
         let samples = (number == 5).then_some(2);
