@@ -111,7 +111,7 @@ pub(crate) static DRAWINGS: LazyLock<Vec<Writer>> = LazyLock::new(|| {
 /// Pages to look at rays, and ids beside a picture.
 pub(crate) static PAGES: LazyLock<Vec<Writer>> = LazyLock::new(|| {
     let page = |name: &str| {
-        Writer::new(&[name, "--size", "48x36", "--out", "picture.png", "--inspect", "page.html"])
+        Writer::new(&[name, "--size", "24x18", "--out", "picture.png", "--inspect", "page.html"])
     };
     let ids = Writer::new(&["signature", "--size", "240x180", "--out", "picture.png", "--ids", "ids.png"]);
     vec![page("ray-sphere"), page("signature"), page("whitted"), ids]

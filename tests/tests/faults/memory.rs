@@ -85,9 +85,20 @@ fn size_of(size: &str) -> u64 {
     size.split('x').map(|number| number.parse::<u64>().expect("a size")).product()
 }
 
+/// What they do by themselves; scenes in their light, which take longest to draw, in `.ci/full` only.
 #[test]
-fn what_a_stage_does_by_itself() {
-    for stage in STAGES {
+fn what_most_stages_do_by_themselves() {
+    by_themselves(STAGES.iter().copied().filter(|stage| stage.about().number < 10));
+}
+
+#[test]
+#[ignore = "takes minutes: .ci/full runs it"]
+fn what_every_stage_does_by_itself() {
+    by_themselves(STAGES.iter().copied());
+}
+
+fn by_themselves(stages: impl Iterator<Item = &'static dyn Stage>) {
+    for stage in stages {
         let (folder, name) = (Folder::new(), stage.about().name);
         let picture = folder.path().join("picture.png");
         let args = [name, "--out", "picture.png"];
@@ -167,7 +178,7 @@ fn pages(size: &str) {
 
 #[test]
 fn pages_to_look_at_rays() {
-    pages("48x36");
+    pages("24x18");
 }
 
 #[test]

@@ -17,6 +17,9 @@ use crate::started::Started;
 /// Those that ask, and the one that does not.
 const SIGNALS: [&str; 4] = ["INT", "TERM", "HUP", "KILL"];
 
+/// When something that takes longer than anybody waits is in the middle of its work.
+const MIDDLE: Duration = Duration::from_millis(100);
+
 /// A picture that takes longer than anybody waits.
 const SLOW: [&str; 7] = ["whitted", "--samples", "64", "--size", "1600x1200", "--out", "picture.png"];
 
@@ -53,7 +56,7 @@ fn assert_old_stays(quick: &Writer, slow: &[&str], last: &str, middle: impl Fn(&
 #[test]
 fn in_the_middle_of_a_picture() {
     let quick = Writer::new(&["whitted", "--size", "64x48", "--out", "picture.png"]);
-    assert_old_stays(&quick, &SLOW, "picture.png", |started, _| started.work_for(Duration::from_millis(300)));
+    assert_old_stays(&quick, &SLOW, "picture.png", |started, _| started.work_for(MIDDLE));
 }
 
 #[test]
@@ -69,7 +72,7 @@ fn in_the_middle_of_a_measurement() {
         let folder = Folder::new();
         folder.put("measured-trade.svg", OLD);
         let mut started = Started::new(folder.path(), &["ray-sphere", "trade", "--out", "measured.png"]);
-        started.work_for(Duration::from_millis(300));
+        started.work_for(MIDDLE);
         started.signal(signal);
         assert_ended_by(started, signal);
         assert_eq!(folder.names(), ["measured-trade.svg"], "{signal}");
@@ -117,10 +120,10 @@ fn at_any_time_of_all_that_is_written() {
 #[test]
 fn a_hand_out_is_whole_or_not_there() {
     for signal in SIGNALS {
-        for moment in 0..12 {
+        for moment in 0..6 {
             let folder = Folder::new();
             let started = Started::new(folder.path(), &HAND_OUT.args());
-            std::thread::sleep(Duration::from_millis(10) * moment);
+            std::thread::sleep(Duration::from_millis(20) * moment);
             started.signal(signal);
             let ended = started.ended();
             let left = folder.names();
