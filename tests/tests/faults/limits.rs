@@ -30,7 +30,7 @@ fn assert_done_or_told(writer: &Writer, run: &Run, left: &Folder) {
 fn a_file_that_is_too_large_is_a_failure() {
     for writer in PICTURES.iter().chain(&*PAGES).chain([&*GALLERY]) {
         let folder = writer.folder_of_old_files();
-        let run = run_under(&folder, &["prlimit", "--fsize=512", "--"], writer);
+        let run = run_under(&folder, &["prlimit", "--fsize=128", "--"], writer);
         writer.assert_failed(&run, folder.path(), "it is larger than a file may be here, see ulimit -f");
     }
 }
@@ -40,7 +40,7 @@ fn a_file_that_is_too_large_is_a_failure() {
 fn a_drawing_that_is_too_large_is_a_failure() {
     for writer in &*DRAWINGS {
         let folder = writer.folder_of_old_files();
-        let run = run_under(&folder, &["prlimit", "--fsize=512", "--"], writer);
+        let run = run_under(&folder, &["prlimit", "--fsize=128", "--"], writer);
         writer.assert_failed(&run, folder.path(), "it is larger than a file may be here, see ulimit -f");
     }
 }
@@ -48,7 +48,7 @@ fn a_drawing_that_is_too_large_is_a_failure() {
 #[test]
 fn a_hand_out_that_is_too_large_is_not_there() {
     let folder = Folder::new();
-    let run = run_under(&folder, &["prlimit", "--fsize=512", "--"], &HAND_OUT);
+    let run = run_under(&folder, &["prlimit", "--fsize=128", "--"], &HAND_OUT);
     let told = run.errors.starts_with("error: cannot make attempt: ") && run.errors.contains("ulimit -f");
     assert!(run.status == 1 && told, "{run:?}");
     assert_eq!(Files::in_folder(folder.path()), Files::none());

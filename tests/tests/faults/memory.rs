@@ -8,6 +8,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use stage::Stage;
 use tests::{Folder, Run, STAGES, command_in, header, plain_row, stage_named, with_cases};
 
 /// A command whose memory is measured.
@@ -188,7 +189,7 @@ fn large_pages_to_look_at_rays() {
 }
 
 /// Writes a case file of at least so many bytes.
-fn many_cases(folder: &Folder, stage: &dyn stage::Stage, bytes: usize) {
+fn many_cases(folder: &Folder, stage: &dyn Stage, bytes: usize) {
     let row = format!("{}\n", plain_row(stage));
     folder.put("cases.csv", format!("{}\n{}", header(stage), row.repeat(bytes.div_ceil(row.len()))));
 }

@@ -2,6 +2,8 @@
 
 mod something;
 
+use std::sync::LazyLock;
+
 use lab::{Measured, measure};
 use stage::{Error, Field, Precision, Record, TradeAsk, Traded};
 
@@ -19,6 +21,9 @@ fn measured(ask: &TradeAsk) -> Measured {
 fn traded(ask: &TradeAsk) -> Traded {
     measured(ask).traded("Something")
 }
+
+/// All of it, measured once for all the tests that look at it.
+static TRADED: LazyLock<Traded> = LazyLock::new(|| traded(&ask(&[])));
 
 /// What stands in a column of a record.
 fn field<'a>(record: &'a Record, column: &str) -> &'a Field {
@@ -70,7 +75,7 @@ fn taken_as_right(text: &str) -> [&str; 2] {
 
 #[test]
 fn every_figure_is_the_one_counted_by_hand() {
-    let traded = traded(&ask(&[]));
+    let traded = &*TRADED;
     let count = Field::Count;
     for (precision, epsilon) in [(Precision::F32, f64::from(f32::EPSILON)), (Precision::F64, f64::EPSILON)] {
         // wrong verdicts; the median, 99 % and the worst of the ulps; what is lost in all, and of how many
@@ -83,7 +88,7 @@ fn every_figure_is_the_one_counted_by_hand() {
             (SLOW, 0, [0, 0, 0], 0.0, 200.0),
         ];
         for (method, wrong, [median, p99, max], lost, of) in mixed {
-            let record = record(&traded, "mixed", precision, method);
+            let record = record(traded, "mixed", precision, method);
             // of the hits the last is the case 199
             let angle = if method == OFF { Field::Number(199.0 / 512.0) } else { Field::Nothing };
             for (column, want) in [
@@ -103,7 +108,7 @@ fn every_figure_is_the_one_counted_by_hand() {
         }
         // Without a hit there is no t, and nothing is lost.
         for method in [RIGHT, OFF, WRONG, SLOW] {
-            let record = record(&traded, "none", precision, method);
+            let record = record(traded, "none", precision, method);
             for column in ["t_ulp_median", "t_ulp_p99", "t_ulp_max", "normal_angle_max"] {
                 assert_eq!(field(record, column), &Field::Nothing, "{column}: {record:?}");
             }
@@ -122,7 +127,7 @@ fn every_figure_is_the_one_counted_by_hand() {
 /// The times are forced, so that it is known who is fast.
 #[test]
 fn the_front_is_that_of_time_and_error() {
-    let traded = traded(&ask(&[]));
+    let traded = &*TRADED;
     let on_front: Vec<String> = traded
         .records
         .iter()
@@ -166,11 +171,11 @@ fn a_ratio_is_to_the_baseline_at_the_same_precision() {
 
 #[test]
 fn the_sentences_take_the_fastest_that_will_do() {
-    let all = traded(&ask(&[])).text;
-    assert_eq!(taken(&all, "speed above all", ""), "wrong f32");
-    assert_eq!(taken(&all, "nothing but near", ""), "wrong f32", "it is right there");
-    assert_eq!(taken(&all, "every verdict right  ", ""), "off f32", "as far off as it may be");
-    assert_eq!(taken_as_right(&all), ["right f32", "right f64"]);
+    let all = &TRADED.text;
+    assert_eq!(taken(all, "speed above all", ""), "wrong f32");
+    assert_eq!(taken(all, "nothing but near", ""), "wrong f32", "it is right there");
+    assert_eq!(taken(all, "every verdict right  ", ""), "off f32", "as far off as it may be");
+    assert_eq!(taken_as_right(all), ["right f32", "right f64"]);
 
     let mixed = traded(&ask(&["mixed"])).text;
     assert_eq!(taken(&mixed, "nothing but mixed", ""), "off f32");
@@ -192,7 +197,7 @@ fn the_sentences_take_the_fastest_that_will_do() {
 
 #[test]
 fn the_sentences_say_what_each_loses() {
-    let text = traded(&ask(&[])).text;
+    let text = &TRADED.text;
     let (_, sentences) = text.split_once("What each loses").expect("the sentences");
     for precision in Precision::ALL.map(Precision::name) {
         let loss = |method| line(sentences, &format!("{} {precision} ", METHODS[method]), "");
@@ -251,7 +256,7 @@ fn what_is_asked_for_is_what_is_measured() {
     let every = |regimes: &[&str]| -> Vec<String> {
         regimes.iter().flat_map(|regime| [at(regime, "f32"), at(regime, "f64")].concat()).collect()
     };
-    assert_eq!(names(&traded(&ask(&[]))), every(&["near", "mixed", "none"]));
+    assert_eq!(names(&TRADED), every(&["near", "mixed", "none"]));
     // in the subject's order, not in that of the request
     assert_eq!(names(&traded(&ask(&["none", "near"]))), every(&["near", "none"]));
     let double = TradeAsk { precision: Some(Precision::F64), ..ask(&["mixed"]) };
