@@ -110,7 +110,7 @@ fn readme(
     text += &format!(
         "\nPut your lines in place of each of these `todo!`s. Helpers of your own may go there, or into modules \
          below.\n\n{operations}## See what it does\n\n```sh\n\
-         cargo run     # shows the values of your code, step by step, up to the first that is wrong\n\
+         cargo run     # asks what is still to be done; then shows your values, step by step, up to the first that is wrong\n\
          cargo test    # what your code should be right about, one by one\n```\n\n\
          Whoever also has the workbench can ask it, in its own folder: \
          `cargo run --release -- check THIS_FOLDER`. It tries cases that are not shown here, and knows mistakes by name.\n\n\

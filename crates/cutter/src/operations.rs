@@ -8,8 +8,8 @@ const LINES: [(&str, &str); 6] = [
     (
         "R: Real",
         "- Numbers are of a type `R`, which is `f64` here and might be `f32`: `x + y`, `x - y`, `x * y`, \
-         `x / y`, `-x`, `x < y`, `x == y`, `x.sqrt()`, `x.is_finite()`. A constant is `R::from(0.5)`. There \
-         is no `abs`, `min` or `max`: compare.",
+         `x / y`, `-x`, `x < y`, `x == y`, `x.sqrt()`, `x.is_finite()`. A constant is `R::from(0.5)`, or \
+         `R::round_from(0.1)` where an `f32` would not hold all its digits. There is no `abs`, `min` or `max`: compare.",
     ),
     (
         "R: Real",

@@ -26,9 +26,10 @@ pub fn told(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> String {
         None => "  expected  nothing more\n".to_string(),
     };
     text += &format!("  got       {}", got(wrong, answer));
-    // what is off by more is wrong, and not by roundings
-    if let Some(ulps) = wrong.ulps.filter(|&ulps| ulps < 1e6) {
-        text += &format!("\n  off by    {ulps:.0} ulps (units of the last digit)");
+    if let Some(ulps) = wrong.ulps.filter(|ulps| ulps.is_finite()) {
+        // a million and more are no roundings, and nobody reads all their digits
+        let ulps = if ulps < 1e6 { format!("{ulps:.0}") } else { format!("{ulps:.1e}") };
+        text += &format!("\n  off by    {ulps} ulps (units of the last digit)");
     }
     text
 }
@@ -62,7 +63,7 @@ fn broken<'a>(wrong: &Wrong, answer: &'a Answer) -> Option<&'a Broken> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::first_wrong;
+    use crate::{Value, first_wrong};
 
     const SHEET: &str = "exercise\tdouble/it\ncolumns\tx\nproperty\tany\t1\ncase\t2.0\n\
                          step\ty\t2 x\tnumber\t4.0\t0.0\n";
@@ -80,6 +81,20 @@ mod tests {
         let (told, next) = of_ending("the program crashed", "");
         assert_eq!(told, "  property  any\n  given     x = 2\n  no answer the program crashed");
         assert_eq!(next, format!("Here it goes wrong.\n{told}"));
+    }
+
+    #[test]
+    fn the_difference_is_told_in_ulps_however_large() {
+        // by hand: a unit of the last digit of 4 is 2^-50
+        let ulp = 4.0 * f64::EPSILON;
+        for (got, by) in [(4.0 + 3.0 * ulp, "3"), (4.0 + 999_999.0 * ulp, "999999"), (4.5, "5.6e14")] {
+            let sheet = Sheet::from_text(SHEET).unwrap();
+            let mut answer = Answer { steps: sheet.rows[0].steps.clone(), ..Answer::default() };
+            answer.steps.0[0].value = Value::Number(got);
+            let wrong = first_wrong(&sheet, std::slice::from_ref(&answer)).unwrap();
+            let told = told(&sheet, &wrong, &answer);
+            assert!(told.ends_with(&format!("  off by    {by} ulps (units of the last digit)")), "{told}");
+        }
     }
 
     #[test]

@@ -40,6 +40,9 @@ const NOT_IN_PLACE: i32 = 90;
 const NOT_BUILT: i32 = 91;
 /// What cargo started had its time of a processor.
 const TOO_SLOW: i32 = 92;
+/// A signal ended what cargo started: it aborts where there is no memory left, and crashes where it calls itself without
+/// end. What it says then holds addresses, which are others in each run.
+const CRASHED: i32 = 93;
 
 /// What the program prints goes nowhere; its answers go through a pipe that is the sandbox's own, as they
 /// come. A process that it left behind may hold the pipe: it is not waited for.
@@ -136,6 +139,7 @@ impl<'a> Bench<'a> {
             "{CARGO} tar -x -f /base.tar || exit {NOT_OURS}; cp -r /student/. src/ || exit {NOT_IN_PLACE}; \
              cargo build --quiet --offline --jobs 1 2>tmp/said || {{ \
              tail -c 9999 tmp/said | grep -q \"signal: 24\" && exit {TOO_SLOW}; \
+             tail -c 9999 tmp/said | grep -q \"^  process didn't exit successfully: .*(signal: \" && exit {CRASHED}; \
              head -c {MOST_SAID} tmp/said >&2; exit {NOT_BUILT}; }}; cat target/debug/{}",
             exercise.manifest.chapter
         );
@@ -152,6 +156,12 @@ impl<'a> Bench<'a> {
             Some(Some(TOO_SLOW)) => {
                 let seconds = COMPILE.cpu.as_secs();
                 return Ok(stopped(format!("when it had taken {seconds} seconds of a processor")));
+            }
+            Some(Some(CRASHED)) => {
+                let mebibytes = COMPILE.memory >> 20;
+                return Ok(Outcome::Refused(format!(
+                    "the compiler crashed over it, as it does when it needs more than {mebibytes} MiB of memory"
+                )));
             }
             Some(Some(NOT_BUILT)) => return Ok(Outcome::NotBuilt(said())),
             Some(Some(NOT_IN_PLACE)) => {

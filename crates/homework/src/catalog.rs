@@ -65,6 +65,13 @@ impl Catalog {
             let near: Vec<&str> = self.exercises.iter().map(|it| it.manifest.name.as_str()).collect();
             let here: Vec<&str> =
                 near.iter().copied().filter(|it| it.split('/').next() == Some(chapter)).collect();
+            // its name without that of its chapter
+            let meant: Vec<&str> =
+                near.iter().copied().filter(|it| it.split('/').nth(1) == Some(name)).collect();
+            if !meant.is_empty() {
+                let meant = meant.join(" or ");
+                return Error::Request(format!("there is no exercise {name:?}; did you mean {meant}?"));
+            }
             let (which, names) =
                 if here.is_empty() { ("there are", near) } else { ("its chapter has", here) };
             Error::Request(format!("there is no exercise {name:?}; {which} {}", names.join(", ")))
@@ -116,6 +123,15 @@ mod tests {
     use std::fs;
 
     use super::*;
+
+    #[test]
+    fn a_name_without_its_chapter_is_understood_though_not_taken() {
+        let catalog = Catalog::read().unwrap();
+        let why = |name: &str| catalog.find(name).map(|_| ()).unwrap_err().to_string();
+        assert!(why("half-quadratic").ends_with("; did you mean ray-sphere/half-quadratic?"));
+        assert!(why("ray-sphere/half").contains("; its chapter has "));
+        assert!(why("half").contains("; there are "));
+    }
 
     #[test]
     fn solutions_of_other_chapters_are_not_used() {

@@ -87,6 +87,8 @@ pub(crate) struct FirstWrong {
     pub(crate) expected: String,
     pub(crate) got: String,
     pub(crate) ulps: Option<f64>,
+    /// Where the notes have it.
+    pub(crate) page: String,
     /// What ended the answer in place of a value, if something did.
     pub(crate) end: Option<End>,
 }
@@ -173,7 +175,7 @@ impl Report {
             report.output += &format!("\n\nThis looks like `{}`. {}", known.name, known.says);
             report.mistake = Some((known.name.clone(), known.says.clone()));
         }
-        Report { status: Status::Wrong, wrong: Some(in_words(sheet, wrong, answer)), ..report }
+        Report { status: Status::Wrong, wrong: Some(in_words(exercise, sheet, wrong, answer)), ..report }
     }
 }
 
@@ -187,12 +189,13 @@ fn first_of(sheet: &Sheet, answers: &[Answer], property: usize) -> Option<String
     })
 }
 
-fn in_words(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> FirstWrong {
+fn in_words(exercise: &Exercise, sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> FirstWrong {
     let ended = ended(wrong, answer);
-    // where the whole program ended no step is to blame
-    let expected = wrong.expected.as_ref().filter(|_| ended.is_none());
-    let nothing = if ended.is_some() { "an answer" } else { "nothing more" };
     let asks = asks(wrong, answer).map(|(place, _)| End::Asks(one_line(place, 200)));
+    // where the whole program ended, or something is still to be done, no step is to blame
+    let is_ended = ended.is_some() || asks.is_some();
+    let expected = wrong.expected.as_ref().filter(|_| !is_ended);
+    let nothing = if is_ended { "an answer" } else { "nothing more" };
     FirstWrong {
         property: sheet.properties[sheet.rows[wrong.row].property].name.clone(),
         given: sheet.case(wrong.row).to_string(),
@@ -201,6 +204,7 @@ fn in_words(sheet: &Sheet, wrong: &Wrong, answer: &Answer) -> FirstWrong {
         expected: expected.map_or(nothing.to_string(), |it| it.value.to_string()),
         got: one_line(&got(wrong, answer), 200),
         ulps: wrong.ulps.filter(|it| it.is_finite()),
+        page: exercise.manifest.page.clone(),
         end: asks.or(ended.map(|how| End::Program(one_line(how, 200)))),
     }
 }
@@ -262,6 +266,7 @@ pub(crate) mod tests {
             expected: "1".into(),
             got: "2".into(),
             ulps: Some(4503599627370496.0),
+            page: "House 4.4".into(),
             end: None,
         };
         let mistaken = Report {
@@ -287,6 +292,23 @@ pub(crate) mod tests {
             ..right.clone()
         };
         vec![right, mistaken, refused]
+    }
+
+    /// What was right before the hole is lost with the answer: no symbol is wrong.
+    #[test]
+    fn a_hole_that_still_asks_is_blamed_on_no_symbol() {
+        let catalog = crate::Catalog::read().unwrap();
+        let (exercise, sheet) = (&catalog.exercises[0], catalog.exercises[0].sheet());
+        let message = "not yet implemented: What is x?".to_string();
+        let broken = exercise::Broken { message, place: "src/a.rs:3".into() };
+        let answers = vec![Answer { broken: Some(broken), ..Answer::default() }; sheet.rows.len()];
+        let wrong = judge(exercise, &sheet, &answers).wrong.unwrap();
+        let words = in_words(exercise, &sheet, &wrong, &answers[0]);
+        assert_eq!(
+            (words.symbol.as_str(), words.formula.as_str(), words.expected.as_str()),
+            ("", "", "an answer")
+        );
+        assert_eq!(words.end, Some(End::Asks("src/a.rs:3".into())));
     }
 
     #[test]

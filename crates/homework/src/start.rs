@@ -24,12 +24,18 @@ pub fn start(name: &str, into: &Path, output: &mut dyn Write) -> Result<(), Erro
     put(&hand_out(&catalog, exercise)?, into)?;
     let manifest = &exercise.manifest;
     let (into, here) = (into.display(), into.canonicalize().ok() == env::current_dir().ok());
-    let go = if here { String::new() } else { format!("cd {into} && ") };
+    let go = if here { String::new() } else { format!("cd {} && ", as_a_word(&into.to_string())) };
     let said = format!(
         "{}: {}\nIt is in {into}, about {} minutes.",
         manifest.name, manifest.title, manifest.minutes
     );
     writeln!(output, "{said} Read README.md there, then:\n  {go}cargo run").map_err(Error::from_output)
+}
+
+/// As a shell reads one word, whatever is in it.
+fn as_a_word(text: &str) -> String {
+    let is_plain = |sign: char| sign.is_alphanumeric() || "/._-+:,@".contains(sign);
+    if text.chars().all(is_plain) { text.to_string() } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
 /// Writes files beside a folder first, and then gives them its name.
@@ -81,6 +87,15 @@ fn transcript(sheet: &Sheet) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_shell_reads_a_path_as_one_word() {
+        for (path, word) in
+            [("a/b-2.x", "a/b-2.x"), ("a b/ü x", "'a b/ü x'"), ("it's", "'it'\\''s'"), ("a$b", "'a$b'")]
+        {
+            assert_eq!(as_a_word(path), word);
+        }
+    }
 
     #[test]
     fn a_folder_is_whole_or_not_there() {

@@ -21,7 +21,7 @@ fn value(it: &Report) -> Value {
     let wrong = it.wrong.as_ref().map(|it| {
         json!({
             "property": it.property, "given": it.given, "symbol": it.symbol, "formula": it.formula,
-            "expected": it.expected, "got": it.got, "ulps": it.ulps,
+            "expected": it.expected, "got": it.got, "ulps": it.ulps, "page": it.page,
         })
     });
     let mistake = it.mistake.as_ref().map(|(name, says)| json!({ "name": name, "says": says }));
@@ -44,6 +44,7 @@ mod tests {
         assert_eq!(all.as_array().unwrap().len(), 3);
         assert_eq!((&all[0]["score"], &all[0]["first_wrong"]), (&json!(3), &Value::Null));
         assert_eq!(all[1]["first_wrong"]["expected"], "1");
+        assert_eq!(all[1]["first_wrong"]["page"], "House 4.4");
         assert_eq!(all[1]["mistake"]["name"], "direction-not-unit");
         assert_eq!(all[1]["properties"][1]["points"], 2);
         assert_eq!(all[2]["status"], "refused");

@@ -312,6 +312,8 @@ fn nobody_outlives_the_end_or_ends_the_others() {
         assert!(it["status"] == "refused" || it["status"] == "does not compile", "{it:#}");
     }
     grades.says("counts silently", 0, "refused", "compiling it was stopped when it had taken 40 seconds");
+    // and not the compiler's own last words, which differ from run to run
+    grades.says("doubles macros", 0, "refused", "the compiler crashed over it");
     grades.says("is larger than what is read", 0, "refused", "more than 64 MiB");
     grades.says("nested name", 0, "refused", "it cannot be put in place");
     for marked in ["77124", "77125"] {
