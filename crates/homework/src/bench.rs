@@ -63,8 +63,9 @@ impl<'a> Bench<'a> {
         let name = &exercise.manifest.name;
         let place = self.scratch.path().join("bases").join(name.replace('/', "-"));
         let project = place.join("project");
-        folder::write(&start::hand_out(catalog, exercise)?, &project)?;
-        vendor(&project)?;
+        let files = start::hand_out(catalog, exercise)?;
+        self.scratch.uninterrupted(|| folder::write(&files, &project))?;
+        vendor(self.scratch, &project)?;
 
         self.share(&place)?;
         let shown = [(self.toolchain.as_path(), "/toolchain"), (&project, "/project")];
@@ -129,8 +130,11 @@ impl<'a> Bench<'a> {
         files: &Files,
     ) -> Result<Outcome, Error> {
         let (src, program) = (place.join("src"), place.join("program"));
-        fs::create_dir_all(&src).map_err(|error| folder::failed("make", &src, error))?;
-        folder::write(files, &src)?;
+        self.scratch.uninterrupted(|| {
+            // even where there is no file
+            fs::create_dir_all(&src).map_err(|error| folder::failed("make", &src, error))?;
+            folder::write(files, &src)
+        })?;
         self.share(place)?;
 
         let shown =
@@ -193,7 +197,7 @@ impl<'a> Bench<'a> {
 
 /// Puts the sources of what a project needs beside it, so that nothing is fetched later: with the user's own
 /// cargo, his mirrors and his passwords, which the sandbox never sees.
-fn vendor(project: &Path) -> Result<(), Error> {
+fn vendor(scratch: &Scratch, project: &Path) -> Result<(), Error> {
     cargo::run(cargo::cargo(project, "fetch").arg("--quiet"), "fetch what the hand-out needs")?;
     let mut vendor = cargo::cargo(project, "vendor");
     vendor.args(["--quiet", "--offline", "--respect-source-config", "--versioned-dirs"]);
@@ -201,8 +205,10 @@ fn vendor(project: &Path) -> Result<(), Error> {
     cargo::run(&mut vendor, "copy what the hand-out needs")?;
     let mut files = Files::new();
     files.insert(".cargo/config.toml".into(), VENDORED.into());
-    fs::create_dir_all(project.join("vendor")).map_err(|error| folder::failed("make", project, error))?;
-    folder::write(&files, project)
+    scratch.uninterrupted(|| {
+        fs::create_dir_all(project.join("vendor")).map_err(|error| folder::failed("make", project, error))?;
+        folder::write(&files, project)
+    })
 }
 
 const VENDORED: &str =

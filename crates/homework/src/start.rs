@@ -50,9 +50,9 @@ fn put(files: &Files, into: &Path) -> Result<(), Error> {
     let beside = Scratch::new(new).map_err(failed)?;
     // whoever may read such a folder is not for tempfile to say
     let ready = beside.path().join("ready");
-    // its name until it is whole is nobody's business
-    folder::put(files, &ready).map_err(|(_, error)| failed(error))?;
     let into_place = || {
+        // its name until it is whole is nobody's business
+        folder::put(files, &ready).map_err(|(_, error)| error)?;
         if !is_there {
             return fs::rename(&ready, &whole);
         }
@@ -62,7 +62,7 @@ fn put(files: &Files, into: &Path) -> Result<(), Error> {
         }
         Ok(())
     };
-    beside.leave(into_place).map_err(failed)
+    beside.uninterrupted(into_place).map_err(failed)
 }
 
 /// The files of a hand-out, by their paths in its folder. [`Error::Failed`] where it cannot be cut from the

@@ -138,11 +138,12 @@ impl Scratch {
         &self.0.place
     }
 
-    /// Moves what is ready out of the folder, by `moves`, which begins no other file: an interrupt comes before it or after
-    /// it. Else the folder might be on its way out while it is removed, and arrive in part.
-    pub fn leave<T>(&self, moves: impl FnOnce() -> T) -> T {
+    /// Writes into the folder, or moves what is ready out of it, by `does`, which begins no other file: an interrupt comes
+    /// before it or after it. Else the folder might be made again by whoever writes when it is just removed, or be on its
+    /// way out meanwhile, and arrive in part.
+    pub fn uninterrupted<T>(&self, does: impl FnOnce() -> T) -> T {
         let _places = self.0.among.places();
-        moves()
+        does()
     }
 }
 
@@ -194,6 +195,14 @@ mod tests {
             assert!(!place.exists(), "interrupted: {interrupted}");
         }
         fs::remove_dir_all(folder).unwrap();
+    }
+
+    /// [`end`] removes nothing while somebody writes, and holds the list for ever after.
+    #[test]
+    fn no_interrupt_comes_while_a_scratch_folder_is_written_to() {
+        let place = std::env::temp_dir().join(format!("interrupt-written-{}", std::process::id()));
+        let scratch = Scratch::new(|| fs::create_dir_all(&place).map(|()| place.clone())).unwrap();
+        scratch.uninterrupted(|| assert!(UNFINISHED.0.try_lock().is_err()));
     }
 
     #[test]
