@@ -120,7 +120,7 @@ fn at_any_time_of_all_that_is_written() {
 #[test]
 fn a_hand_out_is_whole_or_not_there() {
     for signal in SIGNALS {
-        for moment in 0..6 {
+        for moment in 0..8 {
             let folder = Folder::new();
             let started = Started::new(folder.path(), &HAND_OUT.args());
             std::thread::sleep(Duration::from_millis(20) * moment);

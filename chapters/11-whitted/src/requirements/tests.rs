@@ -14,15 +14,15 @@ fn first_difference(a: &Rendered, b: &Rendered) -> Option<(usize, Rgb, Rgb)> {
     pairs.find(|(_, (a, b))| bits(a) != bits(b)).map(|(at, (a, b))| (at, *a, *b))
 }
 
-/// What a scene requires at the depth of these tests.
-fn requires<R: Real>(file: &File) -> Requirements {
-    let scene = crate::from_file::scene::<R>(file, None, Some(4)).unwrap();
+/// What a scene requires at a depth; without one, at its own.
+fn requires<R: Real>(file: &File, depth: Option<u32>) -> Requirements {
+    let scene = crate::from_file::scene::<R>(file, None, depth).unwrap();
     Requirements::of(&scene, bounds::Parts::of(&scene.lit.geometry).count())
 }
 
 fn is_the_same_whatever_is_modeled<R: Real>() {
     for (name, file) in all() {
-        let requires = requires::<R>(&file);
+        let requires = requires::<R>(&file, Some(4));
         for method in Method::ALL {
             let required = picture::<R>(&file, method, 4, |required| required, None);
             let of = |more: &dyn Fn(Requirements) -> Requirements| picture::<R>(&file, method, 4, more, None);
@@ -62,9 +62,8 @@ fn the_radiance_is_the_same_whatever_is_modeled_in_f32() {
 #[test]
 fn a_scene_requires_what_it_has() {
     let of = |text: &str| {
-        let file = scene_file::Scene::from_toml("scene.toml", text, std::path::Path::new("")).unwrap();
-        let scene = crate::from_file::scene::<f64>(&file, None, None).unwrap();
-        Requirements::of(&scene, bounds::Parts::of(&scene.lit.geometry).count())
+        let file = File::from_toml("scene.toml", text, std::path::Path::new("")).unwrap();
+        requires::<f64>(&file, None)
     };
     let sphere = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\n[[object]]\nmaterial = \"m\"\n\
                   sphere = { center = [0, 0, 0], radius = 1 }\n";
